@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The library's front door: a model in, a classified mesh and a report out.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "base/fault.h"
+#include "base/observer.h"
+#include "classify/acceptance.h"
+#include "geom/model.h"
+#include "mesh/mesh.h"
+#include "mesh/quality.h"
+
+namespace octet {
+
+struct MeshOptions {
+  double size = 0.0;      ///< edge length asked for, model units (millimetre); 0: chosen from the part
+  double min_size = 0.0;  ///< local refinement stops here; 0: size / 32
+  double curvature_angle = 0.785;         ///< radians of turning per element; 0: off
+  std::size_t max_elements = 20'000'000;  ///< LimitError when more would be needed
+  int threads = 1;                        ///< same bytes for any number
+  bool finalize = true;
+};
+
+/// What a run came to.
+enum class MeshStatus {
+  kComplete,    ///< a mesh, and every claim of the acceptance holds
+  kIncomplete,  ///< a mesh, and a list of faults
+};
+
+struct StageTime {
+  std::string name;
+  double seconds = 0.0;
+};
+
+struct MeshReport {
+  MeshStatus status = MeshStatus::kIncomplete;
+  double size = 0.0;  ///< the size used
+  std::vector<Fault> faults;
+  QualitySummary quality;
+  Acceptance acceptance;
+  double volume = 0.0, cad_volume = 0.0;
+  double area = 0.0, cad_area = 0.0;
+  std::size_t nodes = 0, tets = 0, triangles = 0;
+  std::size_t attribute_points = 0, rounds = 0;
+  std::size_t template_tets = 0;  ///< of the tetrahedra: emitted from octant templates
+  std::vector<StageTime> times;
+};
+
+struct MeshResult {
+  Mesh mesh;
+  MeshReport report;
+};
+
+/// Meshes the model. Prints nothing, keeps no state, may run in several threads at once.
+/// Throws InputError, ModelError, LimitError, Cancelled, Bug; a goal not met is a fault in the report.
+[[nodiscard]] MeshResult mesh_part(const Model& model, const MeshOptions& options, Observer& observer);
+[[nodiscard]] MeshResult mesh_part(const Model& model, const MeshOptions& options = {});
+
+}  // namespace octet

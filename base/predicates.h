@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Exact geometric signs: a static filter, then exact arithmetic.
+#pragma once
+
+#include <cstdint>
+
+#include "base/vec.h"
+
+namespace octet {
+
+/// Sign (-1, 0, +1) of det[b-a, c-a, d-a], exact for all finite doubles free of under- and overflow.
+/// +1 when d lies on the side of plane abc from which a, b, c appear counter-clockwise:
+/// orient3d((0,0,0),(1,0,0),(0,1,0),(0,0,1)) = +1.
+/// A tetrahedron (a,b,c,d) is positive when this is +1.
+[[nodiscard]] int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+
+/// For a positive tetrahedron abcd: +1 when e lies strictly inside its circumsphere, 0 on it, -1 outside.
+[[nodiscard]] int insphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e);
+
+/// Like `insphere`, ties broken by vanishing weights: the point of largest rank has the largest weight.
+/// Never 0 for distinct ranks and orient3d(a,b,c,d) != 0. The regular triangulation it defines is unique.
+/// Laws: the sign changes under an odd permutation of a,b,c,d; equals insphere() where that is not 0.
+[[nodiscard]] int insphere_ranked(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e,
+                                  const std::uint64_t rank[5]);
+
+}  // namespace octet

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The points that the octree hands to the triangulation, each with the model entity it lies on.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/model_ref.h"
+#include "base/vec.h"
+
+namespace octet {
+
+/// Structure of arrays; all arrays have the same size.
+///
+/// Invariants: positions are pairwise distinct; `order` values are pairwise distinct.
+struct SeedPoints {
+  std::vector<Vec3> position;  ///< model units
+  std::vector<ModelRef> on;    ///< dim 0..2: on that model entity; dim 3: inside region `tag`, {3,0} outside
+  std::vector<std::uint64_t>
+      order;  ///< place in the one symbolic order: larger = larger weight (delaunay/vertex_order.h)
+  std::vector<double> spacing;  ///< local mesh size, model units
+
+  [[nodiscard]] std::size_t size() const { return position.size(); }
+  std::size_t add(const Vec3& p, ModelRef ref, std::uint64_t rank, double h) {
+    position.push_back(p);
+    on.push_back(ref);
+    order.push_back(rank);
+    spacing.push_back(h);
+    return position.size() - 1;
+  }
+};
+
+}  // namespace octet

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// When a mesh is right: the claims of docs/conventions.md, each with its worst place.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/fault.h"
+#include "geom/model.h"
+#include "mesh/mesh.h"
+
+namespace octet {
+
+/// One claim about a mesh of a model.
+struct Claim {
+  std::string name;       ///< short, stable: "positive-volume", "edge-chains", ...
+  std::string statement;  ///< what is claimed, one sentence
+  bool holds = false;
+  double worst = 0.0;  ///< the measured figure (0 where the claim is yes or no)
+  double limit = 0.0;
+  std::vector<Fault> faults;  ///< the worst places first, at most ten
+};
+
+struct Acceptance {
+  std::vector<Claim> claims;
+  [[nodiscard]] bool holds() const;
+};
+
+struct AcceptanceOptions {
+  bool sample_surface = true;  ///< also sample the CAD surface densely against the mesh (the costly claim)
+  bool overlap = true;
+};
+
+/// Tests every claim of the design: positive and conforming elements; classified boundary and interfaces;
+/// closure; upward counts; every model vertex, edge (one chain) and face (Euler characteristic, loops,
+/// orientation) covered; nodes on their entity; measures per entity within the chord error of the mesh's own
+/// edge lengths; CAD samples near the mesh; no orphan or duplicate nodes.
+[[nodiscard]] Acceptance accept_mesh(const Mesh& mesh, const Model& model,
+                                     const AcceptanceOptions& options = {});
+
+}  // namespace octet

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Mesh finalization: the shapes of a valid classified mesh made good, on the exact geometry.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "base/observer.h"
+#include "geom/model.h"
+#include "mesh/mesh.h"
+
+namespace octet {
+
+struct FinalizeOptions {
+  double target_dihedral =
+      0.349;  ///< radians (20 degrees): elements whose smallest dihedral is below it are worked on
+  double leave_interior =
+      0.296;  ///< radians (17 degrees): elements without a boundary vertex are touched only below this
+  double short_edge =
+      0.35;  ///< edges shorter than this share of the local size are collapsed where the model allows
+  double max_seconds =
+      0.0;  ///< 0: the built-in work budget only (deterministic; counts of operations, not time)
+  int threads = 1;
+  /// Local mesh size asked for at a place (model units); required.
+  std::function<double(const Vec3&)> size_at;
+};
+
+struct FinalizeReport {
+  double min_dihedral_before = 0.0, min_dihedral_after = 0.0;  ///< radians
+  double max_dihedral_after = 0.0;
+  std::size_t below_target = 0;         ///< elements still below target_dihedral
+  std::size_t limited_by_geometry = 0;  ///< of these: at a CAD angle or thin wall that forbids better
+  std::size_t smoothed = 0, edge_removals = 0, face_swaps = 0, collapses = 0, splits = 0;
+  bool budget_spent = false;
+};
+
+/// Improves `mesh` in place. Topology, classification and the invariants of Mesh are kept by every operation:
+/// model vertices stay, vertices on model edges move along them, vertices on faces move on them by exact
+/// projection, boundary swaps and collapses keep every model edge a chain and every face a disk-wise surface.
+/// The distance of the boundary to the CAD never grows beyond what the chord error of the local size allows.
+/// The smallest dihedral never decreases. [Handbook 15.6]
+FinalizeReport finalize(Mesh& mesh, const Model& model, const FinalizeOptions& options, Observer& observer);
+
+}  // namespace octet

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The partner of a boundary point across a thin wall, a thin gap or a knife edge.
+#pragma once
+
+#include <optional>
+
+#include "geom/model.h"
+
+namespace octet {
+
+/// The point b such that a ball touches the model's boundary at a (with its centre on the given side of the
+/// face, along the normal) and at b and holds no boundary point: b is a's mirror image in the local medial
+/// axis. For two planes that meet in an edge, b has a's distance from that edge; for parallel sheets b is
+/// straight across. Found by shrinking the ball (Ma, Bae, Choi 2012). `side` = +1: along `normal`, -1:
+/// against it. None when |b - a| > max_distance, or when b is a's own neighbourhood (a smooth, well curved
+/// sheet: the ball's radius is the curvature radius and b -> a).
+[[nodiscard]] std::optional<Foot> opposite_point(const Model& model, const Vec3& a, int face_of_a,
+                                                 const Vec3& normal, int side, double max_distance);
+
+}  // namespace octet

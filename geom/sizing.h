@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where the part itself asks for elements smaller than the size asked for.
+#pragma once
+
+#include <vector>
+
+#include "base/size_sample.h"
+#include "geom/model.h"
+
+namespace octet {
+
+struct SizingOptions {
+  double size = 0.0;               ///< h: the size asked for, model units
+  double min_size = 0.0;           ///< no wish is smaller than this
+  double curvature_angle = 0.785;  ///< radians of turning per element on edges and faces; 0: off
+  double edge_share = 1.0;         ///< size <= edge_share * length of a real edge with two distinct ends
+  double gap_share = 1.0;  ///< size <= gap_share * distance to the nearest edge that shares no vertex; 0: off
+};
+
+/// Samples on edges and faces where the wished size is below `options.size`, in a deterministic order.
+/// Samples are dense enough that every octant of the wished size that meets the entity holds one, or a
+/// neighbour does.
+[[nodiscard]] std::vector<SizeSample> feature_sizes(const Model& model, const SizingOptions& options);
+
+/// A sensible size when none is given: from the diagonal, the volume and the surface (documented in the
+/// source).
+[[nodiscard]] double default_size(const Model& model);
+
+}  // namespace octet

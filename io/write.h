@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Meshes to and from disk.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "mesh/mesh.h"
+#include "mesh/model_outline.h"
+
+namespace octet {
+
+enum class MeshFormat { kMsh41Binary, kMsh41Ascii, kMsh22Binary, kMsh22Ascii, kVtu };
+
+struct WriteOptions {
+  double scale = 1.0;  ///< multiplies coordinates: model units (millimetre) to the unit asked for
+};
+
+/// Format for a path by its suffix (.msh: MSH 4.1 binary, .vtu); `name` is the user's --format or empty:
+/// msh (=msh41), msh41, msh41-ascii, msh22, msh22-ascii, vtu. InputError when neither tells.
+[[nodiscard]] MeshFormat mesh_format(const std::filesystem::path& path, const std::string& name);
+
+/// Writes to a temporary name beside `path` and renames when whole. OutputError (with the reason) leaves no
+/// file. Same mesh, same bytes.
+void write_mesh(const std::filesystem::path& path, const Mesh& mesh, const ModelOutline& outline,
+                MeshFormat format, const WriteOptions& options = {});
+
+/// Reads MSH 4.1 and 2.2, ASCII and binary, and VTU as written by write_mesh. InputError when it cannot.
+/// point_on is rebuilt from entity blocks (4.1), else from the lowest-dimensional element that names the
+/// node.
+[[nodiscard]] Mesh read_mesh(const std::filesystem::path& path);
+
+}  // namespace octet

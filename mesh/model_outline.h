@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a writer needs to know of the part: numbers, names, boxes and bounding relations. No geometry.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "base/vec.h"
+
+namespace octet {
+
+struct OutlineEntity {
+  int tag = 0;
+  std::string name;  ///< empty when the CAD gives none
+  Box3 box;
+  std::vector<int> bounded_by;  ///< tags one dimension below; negative when the orientation is opposite
+};
+
+/// Entities per dimension 0..3, ascending by tag.
+struct ModelOutline {
+  std::array<std::vector<OutlineEntity>, 4> entities;
+};
+
+}  // namespace octet

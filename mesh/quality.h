@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Shape measures of tetrahedra.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "mesh/mesh.h"
+
+namespace octet {
+
+/// Smallest and largest of the six dihedral angles, radians; negative volumes give (0, pi).
+struct DihedralRange {
+  double smallest = 0.0, largest = 0.0;
+};
+[[nodiscard]] DihedralRange dihedral_range(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+[[nodiscard]] double signed_volume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+/// 12 (3 V)^(2/3) / sum of squared edges, 1 for the regular tetrahedron.
+[[nodiscard]] double mean_ratio(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+
+struct QualitySummary {
+  std::size_t tets = 0;
+  double min_dihedral = 0.0, max_dihedral = 0.0;  ///< radians
+  double p1_min_dihedral = 0.0;                   ///< 1st percentile of the elements' smallest dihedrals
+  double min_mean_ratio = 0.0, mean_mean_ratio = 0.0;
+  std::size_t worst_tet = 0;
+};
+[[nodiscard]] QualitySummary quality_summary(const Mesh& mesh);
+
+}  // namespace octet

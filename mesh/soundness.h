@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The invariants of Mesh, tested word by word.
+#pragma once
+
+#include <string>
+
+#include "mesh/mesh.h"
+
+namespace octet {
+
+/// Empty when the invariants of mesh/mesh.h hold, else the first that does not, with its place.
+[[nodiscard]] std::string check_mesh_soundness(const Mesh& mesh);
+
+}  // namespace octet

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The exact cuts of octant edges with model faces, and of model edges with octant planes.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "octree/labels.h"
+
+namespace octet {
+
+/// A cut of one octant edge: each geometric edge of the tree's finest terminal octants is cut once, however
+/// many octants share it.
+struct OctantEdgeCut {
+  std::uint32_t from = 0, to = 0;  ///< octree vertex numbers, from < to along the axis
+  Hit hit;
+};
+
+/// All cuts of the edges of boundary octants, sorted by (from, to, t). Long edges that a hanging vertex
+/// splits are cut by their halves only.
+[[nodiscard]] std::vector<OctantEdgeCut> cut_octant_edges(const Model& model, const Octree& tree,
+                                                          const OctreeVertices& vertices,
+                                                          const OctreeLabels& labels);
+
+}  // namespace octet
