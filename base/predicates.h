@@ -8,7 +8,7 @@
 
 namespace octet {
 
-/// Sign (-1, 0, +1) of det[b-a, c-a, d-a], exact for all finite doubles free of under- and overflow.
+/// Sign (-1, 0, +1) of det[b-a, c-a, d-a], exact for all finite doubles.
 /// +1 when d lies on the side of plane abc from which a, b, c appear counter-clockwise:
 /// orient3d((0,0,0),(1,0,0),(0,1,0),(0,0,1)) = +1.
 /// A tetrahedron (a,b,c,d) is positive when this is +1.
@@ -22,5 +22,10 @@ namespace octet {
 /// Laws: the sign changes under an odd permutation of a,b,c,d; equals insphere() where that is not 0.
 [[nodiscard]] int insphere_ranked(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e,
                                   const std::uint64_t rank[5]);
+
+/// The tie-break alone: insphere_ranked() for five points known to be cospherical (insphere() = 0), so that
+/// callers need not fetch ranks before there is a tie.
+[[nodiscard]] int insphere_by_rank(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e,
+                                   const std::uint64_t rank[5]);
 
 }  // namespace octet

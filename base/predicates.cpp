@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Exact geometric signs: a filter in doubles, then integers as wide as the input needs.
+//
+// Differences of doubles are integers times a common power of two, so the determinants are exact in integers
+// of five times their width. Points of ordinary parts differ by less than 2^62 units of their last place and
+// need one limb a difference (some 0.1 microseconds); the widest case holds every finite double. Expansion
+// arithmetic [Shewchuk 1997] was the other choice: it is slower for the cospherical points that octrees and
+// mirrored sheets are full of, and it fails on underflow.
+#include "base/predicates.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <initializer_list>
+#include <limits>
+
+#include "base/wide_int.h"
+
+namespace octet {
+namespace {
+
+constexpr double kUnit = 0x1p-53;  // half an ulp of 1
+
+// First-order error of orient_determinant(): 6 products of three differences, each with 8 roundings.
+constexpr double kOrientError = 52 * kUnit;
+// Of insphere_determinant(): 72 products of five differences, each with 17 roundings.
+constexpr double kInsphereError = 1300 * kUnit;
+// Differences in this range make no product that over- or underflows.
+constexpr double kSmallest = 1e-55, kLargest = 1e60;
+
+struct Extents {
+  double x, y, z;
+};
+
+template <class T>
+struct Difference {
+  T x, y, z;
+};
+
+template <class T>
+auto orient_determinant(const Difference<T>& b, const Difference<T>& c, const Difference<T>& d) {
+  const auto bc = b.x * c.y - b.y * c.x;
+  const auto cd = c.x * d.y - c.y * d.x;
+  const auto bd = b.x * d.y - b.y * d.x;
+  return (bc * d.z - bd * c.z) + cd * b.z;
+}
+
+// Determinant of the rows (a, |a|^2) .. (d, |d|^2) with its sign changed, expanded along the last column.
+template <class T>
+auto insphere_determinant(const Difference<T>& a, const Difference<T>& b, const Difference<T>& c,
+                          const Difference<T>& d) {
+  const auto ab = a.x * b.y - a.y * b.x;
+  const auto ac = a.x * c.y - a.y * c.x;
+  const auto ad = a.x * d.y - a.y * d.x;
+  const auto bc = b.x * c.y - b.y * c.x;
+  const auto bd = b.x * d.y - b.y * d.x;
+  const auto cd = c.x * d.y - c.y * d.x;
+  const auto abc = (bc * a.z - ac * b.z) + ab * c.z;
+  const auto abd = (bd * a.z - ad * b.z) + ab * d.z;
+  const auto acd = (cd * a.z - ad * c.z) + ac * d.z;
+  const auto bcd = (cd * b.z - bd * c.z) + bc * d.z;
+  const auto lift = [](const Difference<T>& p) { return (p.x * p.x + p.y * p.y) + p.z * p.z; };
+  return (lift(a) * bcd - lift(b) * acd) + (lift(c) * abd - lift(d) * abc);
+}
+
+Difference<double> minus(const Vec3& a, const Vec3& b) {
+  return {a.x() - b.x(), a.y() - b.y(), a.z() - b.z()};
+}
+
+template <std::size_t N>
+double largest(const std::array<Difference<double>, N>& rows, double Difference<double>::*axis) {
+  double m = 0;
+  for (const auto& r : rows) m = std::max(m, std::abs(r.*axis));
+  return m;
+}
+
+// Extents of the differences along the axes: what the filters measure errors by.
+template <std::size_t N>
+Extents extents(const std::array<Difference<double>, N>& rows) {
+  return {largest(rows, &Difference<double>::x), largest(rows, &Difference<double>::y),
+          largest(rows, &Difference<double>::z)};
+}
+
+bool flat(const Extents& m) { return m.x == 0 || m.y == 0 || m.z == 0; }
+
+bool in_range(const Extents& m) {
+  return std::min({m.x, m.y, m.z}) > kSmallest && std::max({m.x, m.y, m.z}) < kLargest;
+}
+
+int sign_of(double x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
+
+// Exponent of the lowest bit that is set in any coordinate.
+int lowest_exponent(std::initializer_list<const Vec3*> points) {
+  int lowest = std::numeric_limits<int>::max();
+  for (const Vec3* p : points) {
+    for (int k = 0; k < 3; ++k) {
+      const auto bits = std::bit_cast<std::uint64_t>((*p)[k]);
+      const int biased = static_cast<int>((bits >> 52) & 0x7ff);
+      std::uint64_t mantissa = bits & ((std::uint64_t{1} << 52) - 1);
+      if (biased != 0) mantissa |= std::uint64_t{1} << 52;
+      if (mantissa == 0) continue;
+      lowest = std::min(lowest, (biased == 0 ? 1 : biased) - 1075 + std::countr_zero(mantissa));
+    }
+  }
+  return lowest;
+}
+
+// Calls f(WideInt<N>, lowest) with N wide enough for differences of the points, which are below 2^bits units.
+// A difference may use 64 N - 2 bits: the sums in the determinants then stay below their sign bit.
+template <class F>
+int with_width(std::initializer_list<const Vec3*> points, const Extents& m, const F& f) {
+  const double largest = std::max({m.x, m.y, m.z});
+  const int lowest = lowest_exponent(points);
+  const int top = std::isfinite(largest) ? std::ilogb(largest) + 2 : 1026;
+  const int bits = top - lowest;
+  if (bits <= 62) return f(WideInt<1>(), lowest);
+  if (bits <= 126) return f(WideInt<2>(), lowest);
+  if (bits <= 318) return f(WideInt<5>(), lowest);
+  return f(WideInt<33>(), lowest);
+}
+
+template <int N>
+Difference<WideInt<N>> exact_minus(const Vec3& a, const Vec3& b, int lowest) {
+  using W = WideInt<N>;
+  return {W::from_scaled(a.x(), lowest) - W::from_scaled(b.x(), lowest),
+          W::from_scaled(a.y(), lowest) - W::from_scaled(b.y(), lowest),
+          W::from_scaled(a.z(), lowest) - W::from_scaled(b.z(), lowest)};
+}
+
+int orient3d_exact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Extents& m) {
+  return with_width({&a, &b, &c, &d}, m, [&]<int N>(WideInt<N>, int lowest) {
+    return orient_determinant(exact_minus<N>(b, a, lowest), exact_minus<N>(c, a, lowest),
+                              exact_minus<N>(d, a, lowest))
+        .sign();
+  });
+}
+
+int insphere_exact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e,
+                   const Extents& m) {
+  return with_width({&a, &b, &c, &d, &e}, m, [&]<int N>(WideInt<N>, int lowest) {
+    return insphere_determinant(exact_minus<N>(a, e, lowest), exact_minus<N>(b, e, lowest),
+                                exact_minus<N>(c, e, lowest), exact_minus<N>(d, e, lowest))
+        .sign();
+  });
+}
+
+}  // namespace
+
+int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const std::array<Difference<double>, 3> rows{minus(b, a), minus(c, a), minus(d, a)};
+  const Extents m = extents(rows);
+  if (flat(m)) return 0;
+  if (in_range(m)) {
+    const double det = orient_determinant(rows[0], rows[1], rows[2]);
+    if (std::abs(det) > kOrientError * (m.x * m.y * m.z)) return sign_of(det);
+  }
+  return orient3d_exact(a, b, c, d, m);
+}
+
+int insphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e) {
+  const std::array<Difference<double>, 4> rows{minus(a, e), minus(b, e), minus(c, e), minus(d, e)};
+  const Extents m = extents(rows);
+  if (flat(m)) return 0;
+  if (in_range(m)) {
+    const double det = insphere_determinant(rows[0], rows[1], rows[2], rows[3]);
+    const double top = std::max({m.x, m.y, m.z});
+    if (std::abs(det) > kInsphereError * (m.x * m.y * m.z) * (top * top)) return sign_of(det);
+  }
+  return insphere_exact(a, b, c, d, e, m);
+}
+
+int insphere_by_rank(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e,
+                     const std::uint64_t rank[5]) {
+  // The determinant is linear in the weights. Its coefficient of e's weight is orient3d(a,b,c,d): a heavier e
+  // is deeper inside. It changes sign when two of the five points are exchanged, which gives the other four.
+  bool tried[5] = {};
+  for (int round = 0; round < 5; ++round) {
+    int heaviest = -1;
+    for (int i = 0; i < 5; ++i) {
+      if (!tried[i] && (heaviest < 0 || rank[i] > rank[heaviest])) heaviest = i;
+    }
+    tried[heaviest] = true;
+    int sign = 0;
+    switch (heaviest) {
+      case 0:
+        sign = -orient3d(e, b, c, d);
+        break;
+      case 1:
+        sign = -orient3d(a, e, c, d);
+        break;
+      case 2:
+        sign = -orient3d(a, b, e, d);
+        break;
+      case 3:
+        sign = -orient3d(a, b, c, e);
+        break;
+      default:
+        sign = orient3d(a, b, c, d);
+    }
+    if (sign != 0) return sign;
+  }
+  return 0;
+}
+
+int insphere_ranked(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e,
+                    const std::uint64_t rank[5]) {
+  const int sign = insphere(a, b, c, d, e);
+  return sign != 0 ? sign : insphere_by_rank(a, b, c, d, e, rank);
+}
+
+}  // namespace octet
