@@ -30,4 +30,11 @@ struct SeedPoints {
   }
 };
 
+/// One piece of a model edge between two consecutive points on it.
+struct EdgePiece {
+  std::uint32_t a = 0, b = 0;  ///< point numbers
+  double ta = 0.0, tb = 0.0;   ///< parameters on the edge, ta < tb
+  std::int32_t edge = 0;
+};
+
 }  // namespace octet

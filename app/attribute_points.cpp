@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One round: find the holes, propose a point for each, insert it with its partner, label what changed.
+#include "app/attribute_points.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "base/vertex_order.h"
+#include "geom/opposite.h"
+
+namespace octet {
+namespace {
+
+/// Sheets closer than this share of the point's clearance get a partner; sheets enclose less than 45 degrees.
+constexpr double kMatchShare = 0.9;
+constexpr double kFacing = -0.7;
+/// A partner this close to a point that is there already has its partner: the ball of that point.
+constexpr double kSamePoint = 0.25;
+
+class AttributeLoop {
+ public:
+  AttributeLoop(Triangulation& triangulation, Band& band, EdgeChains& chains, std::vector<ModelRef>& on,
+                const EdgeIndex& edges, const AttributeLimits& limits)
+      : triangulation_(triangulation),
+        band_(band),
+        chains_(chains),
+        on_(on),
+        edges_(edges),
+        limits_(limits),
+        model_(band.model()) {}
+
+  AttributeResult run(Observer& observer) {
+    for (result_.rounds = 0; result_.rounds < limits_.rounds; ++result_.rounds) {
+      if (observer.cancelled()) throw Cancelled();
+      result_.gaps = find_gaps(band_, mesh(), on_, chains_);
+      observer.note(round_text());
+      if (result_.gaps.empty() || result_.points >= limits_.points) return std::move(result_);
+      const std::size_t before = result_.points;
+      for (const Gap& gap : result_.gaps) close(gap);
+      relabel();
+      if (result_.points == before) return std::move(result_);
+    }
+    result_.gaps = find_gaps(band_, mesh(), on_, chains_);
+    return std::move(result_);
+  }
+
+ private:
+  [[nodiscard]] const TetMesh& mesh() const { return triangulation_.mesh(); }
+
+  [[nodiscard]] std::string round_text() const {
+    std::array<std::size_t, 5> kinds{};
+    for (const Gap& gap : result_.gaps) ++kinds[static_cast<std::size_t>(gap.kind)];
+    return fmt::format(
+        "round {}: {} attribute points; gaps: {} edge pieces, {} faceless, {} edge fans, {} vertex fans, {} "
+        "bare",
+        result_.rounds, result_.points, kinds[0], kinds[1], kinds[2], kinds[3], kinds[4]);
+  }
+
+  void close(const Gap& gap) {
+    if (gap.piece != UINT32_MAX) {
+      if (!is_split(gap)) split(gap.piece);
+      return;
+    }
+    if (gap.kind == GapKind::kBareVertex) {
+      close_bare_vertex(gap);
+      return;
+    }
+    if (changed(gap.tet) || changed(mesh().neighbours[gap.tet][gap.local])) return;
+    const auto point = facet_point(model_, mesh(), gap.tet, gap.local, limits_.floor);
+    if (!point) {
+      ++result_.rejected;
+      return;
+    }
+    if (point->on.dim == 1)
+      split_at(point->on.tag, point->t);
+    else
+      insert_on_face(*point, gap.tet);
+  }
+
+  /// Whether another gap of this round has split the piece already.
+  [[nodiscard]] bool is_split(const Gap& gap) const {
+    const EdgePiece& p = chains_[gap.piece];
+    const Vec3 middle = 0.5 * (mesh().points[VertexId(p.a)] + mesh().points[VertexId(p.b)]);
+    return (middle - gap.place).squaredNorm() > 0.0;
+  }
+
+  [[nodiscard]] bool changed(TetId t) const { return t.index() < changed_.size() && changed_[t.index()]; }
+
+  void split(std::uint32_t piece) {
+    const AttributePoint p = split_point(model_, mesh(), on_, chains_[piece]);
+    if (!split_piece(piece, p.t, p.point, p.clearance)) return;
+    for (const EdgePartner& b : edges_.partners(p.on.tag, p.t, kMatchShare * p.clearance))
+      match_on_edge(b, p.clearance);
+  }
+
+  void match_on_edge(const EdgePartner& b, double clearance) {
+    const std::uint32_t n = chains_.piece_at(b.edge, b.t);
+    const EdgePiece& piece = chains_[n];
+    const double near = std::min((b.point - mesh().points[VertexId(piece.a)]).norm(),
+                                 (b.point - mesh().points[VertexId(piece.b)]).norm());
+    if (near > kSamePoint * clearance) split_piece(n, b.t, b.point, near);
+  }
+
+  void split_at(int edge, double t) {
+    const std::uint32_t n = chains_.piece_at(edge, t);
+    const EdgePiece& piece = chains_[n];
+    const double share = model_.edge_length(edge, piece.ta, t) / model_.edge_length(edge, piece.ta, piece.tb);
+    if (share > 0.25 && share < 0.75) {
+      const Vec3 p = model_.edge_point(edge, t);
+      const double clearance = std::min(share, 1.0 - share) * model_.edge_length(edge, piece.ta, piece.tb);
+      if (split_piece(n, t, p, clearance))
+        for (const EdgePartner& b : edges_.partners(edge, t, kMatchShare * clearance))
+          match_on_edge(b, clearance);
+    } else {
+      split(n);
+    }
+  }
+
+  bool split_piece(std::uint32_t n, double t, const Vec3& point, double clearance) {
+    if (clearance < limits_.floor) {
+      ++result_.rejected;
+      return false;
+    }
+    const EdgePiece piece = chains_[n];
+    const std::optional<VertexId> v =
+        insert(point, model_edge(piece.edge), triangulation_.tet_at(VertexId(piece.a)));
+    if (!v) return false;
+    chains_.split(n, *v, t);
+    return true;
+  }
+
+  void insert_on_face(const AttributePoint& p, TetId near) {
+    if (split_encroached(p.point, near)) return;
+    if (!insert(p.point, p.on, near)) return;
+    const TetId at = last_;
+    for (const int side : {-1, 1}) {
+      const auto b = opposite_point(model_, p.point, p.on.tag, p.normal, side, kMatchShare * p.clearance);
+      if (!b || b->on.dim != 2 || b->normal.dot(p.normal) > kFacing) continue;
+      if (near_a_point_of(b->on, b->point, kSamePoint * p.clearance, at)) continue;
+      insert(b->point, b->on, at);
+    }
+  }
+
+  /// A face point inside the diametral ball of an edge piece would break the edge: the piece is split
+  /// instead.
+  bool split_encroached(const Vec3& p, TetId near) {
+    std::vector<std::uint32_t> hit;
+    triangulation_.conflicts(p, free_point_rank(on_.size()), near, cavity_);
+    for (const TetId t : cavity_) {
+      if (mesh().ghost(t)) continue;
+      const auto& v = mesh().tets[t];
+      for (const auto& e : kTetEdge) {
+        const VertexId a = v[e[0]], b = v[e[1]];
+        if (on_[a.index()].dim > 1 || on_[b.index()].dim > 1) continue;
+        if ((p - mesh().points[a]).dot(p - mesh().points[b]) >= 0.0) continue;
+        const std::uint32_t n = chains_.find(a, b);
+        if (n != UINT32_MAX) hit.push_back(n);
+      }
+    }
+    std::sort(hit.begin(), hit.end());
+    hit.erase(std::unique(hit.begin(), hit.end()), hit.end());
+    for (const std::uint32_t n : hit) split(n);
+    return !hit.empty();
+  }
+
+  /// Whether a point in the closure of the same entity lies closer than `radius`.
+  bool near_a_point_of(ModelRef entity, const Vec3& p, double radius, TetId near) {
+    triangulation_.conflicts(p, free_point_rank(on_.size()), near, cavity_);
+    for (const TetId t : cavity_) {
+      for (const VertexId v : mesh().tets[t]) {
+        if (v == kGhostVertex || (mesh().points[v] - p).norm() > radius) continue;
+        if (model_.in_closure(on_[v.index()], entity)) return true;
+      }
+    }
+    return false;
+  }
+
+  /// A boundary point that no facet holds lies on a sheet its neighbours do not see: its partner is missing.
+  void close_bare_vertex(const Gap& gap) {
+    const Vec3 p = mesh().points[gap.vertex];
+    const FaceFoot foot = model_.face_project(gap.entity.tag, p);
+    double reach = 0.0;
+    triangulation_.star(gap.vertex, cavity_);
+    for (const TetId t : cavity_)
+      for (const VertexId v : mesh().tets[t])
+        if (v != kGhostVertex && v != gap.vertex) reach = std::max(reach, (mesh().points[v] - p).norm());
+    bool inserted = false;
+    for (const int side : {-1, 1}) {
+      const auto b = opposite_point(model_, p, gap.entity.tag, foot.normal, side, reach);
+      if (!b || b->on.dim != 2) continue;
+      const TetId near = triangulation_.tet_at(gap.vertex);
+      if (near_a_point_of(b->on, b->point, std::max(limits_.floor, 0.1 * b->distance), near)) continue;
+      inserted = insert(b->point, b->on, near).has_value() || inserted;
+    }
+    if (!inserted) ++result_.rejected;
+  }
+
+  std::optional<VertexId> insert(const Vec3& p, ModelRef on, TetId near) {
+    if (near.valid() && !mesh().alive(near)) near = TetId();
+    const VertexId v = triangulation_.insert(p, free_point_rank(on_.size()), near, created_);
+    if (v.index() < on_.size()) {
+      ++result_.rejected;
+      return std::nullopt;
+    }
+    on_.push_back(on);
+    ++result_.points;
+    changed_.resize(mesh().tets.size(), 0);
+    for (const TetId t : created_) {
+      changed_[t.index()] = 1;
+      relabel_.push_back(t);
+    }
+    last_ = created_.empty() ? TetId() : created_.front();
+    return v;
+  }
+
+  void relabel() {
+    std::sort(relabel_.begin(), relabel_.end());
+    relabel_.erase(std::unique(relabel_.begin(), relabel_.end()), relabel_.end());
+    band_.update(mesh(), on_, relabel_);
+    for (const TetId t : relabel_) changed_[t.index()] = 0;
+    relabel_.clear();
+  }
+
+  Triangulation& triangulation_;
+  Band& band_;
+  EdgeChains& chains_;
+  std::vector<ModelRef>& on_;
+  const EdgeIndex& edges_;
+  AttributeLimits limits_;
+  const Model& model_;
+  AttributeResult result_;
+  std::vector<std::uint8_t> changed_;  ///< per tetrahedron: made in this round
+  std::vector<TetId> relabel_, created_, cavity_;
+  TetId last_;
+};
+
+}  // namespace
+
+AttributeResult close_gaps(Triangulation& triangulation, Band& band, EdgeChains& chains,
+                           std::vector<ModelRef>& on, const EdgeIndex& edges, const AttributeLimits& limits,
+                           Observer& observer) {
+  return AttributeLoop(triangulation, band, chains, on, edges, limits).run(observer);
+}
+
+}  // namespace octet

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The loop between classification and triangulation: attribute points until no topological hole is left.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "base/observer.h"
+#include "classify/band.h"
+#include "classify/gaps.h"
+#include "delaunay/triangulation.h"
+#include "geom/edge_match.h"
+
+namespace octet {
+
+struct AttributeLimits {
+  std::size_t rounds = 60;
+  std::size_t points = 0;  ///< at most so many attribute points
+  double floor = 0.0;      ///< no point goes in closer than this to another (model units)
+};
+
+struct AttributeResult {
+  std::vector<Gap> gaps;  ///< what is left
+  std::size_t rounds = 0;
+  std::size_t points = 0;    ///< inserted
+  std::size_t rejected = 0;  ///< wanted, but closer than the floor to another point
+};
+
+/// Inserts attribute points into the triangulation, in matched pairs, until find_gaps() is empty or a limit
+/// is met. `on` grows with the points. [Schroeder & Shephard 1990, "Classification and compatibility"]
+[[nodiscard]] AttributeResult close_gaps(Triangulation& triangulation, Band& band, EdgeChains& chains,
+                                         std::vector<ModelRef>& on, const EdgeIndex& edges,
+                                         const AttributeLimits& limits, Observer& observer);
+
+}  // namespace octet

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Regions by circumcentre, faces by common closure, distance and normal.
+#include "classify/band.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesh/circumcentre.h"
+
+namespace octet {
+namespace {
+
+constexpr std::int32_t kUnknown = -1;
+/// A facet may turn away from its face by at most 60 degrees ...
+constexpr double kNormal = 0.5;
+/// ... and its centroid may be at most this share of its longest edge away from it: the sagitta of an
+/// equilateral triangle whose edges turn by 60 degrees.
+constexpr double kDistance = 0.2;
+
+enum class TetKind { kGhost, kInterior, kAsk };
+
+/// A tetrahedron of octree vertices of one region lies in it, unless a sheet passes between: then that
+/// sheet's own points are vertices too.
+TetKind tet_kind(const TetMesh& mesh, std::span<const ModelRef> on, TetId t) {
+  if (mesh.ghost(t)) return TetKind::kGhost;
+  const auto& v = mesh.tets[t];
+  const ModelRef first = on[v[0].index()];
+  if (first.dim != 3) return TetKind::kAsk;
+  for (int i = 1; i < 4; ++i)
+    if (on[v[i].index()] != first) return TetKind::kAsk;
+  return TetKind::kInterior;
+}
+
+}  // namespace
+
+EdgeChains::EdgeChains(std::vector<EdgePiece> pieces) : pieces_(std::move(pieces)) {
+  by_ends_.reserve(2 * pieces_.size());
+  for (std::uint32_t n = 0; n < pieces_.size(); ++n) {
+    const EdgePiece& p = pieces_[n];
+    by_ends_.emplace(key(p.a, p.b), n);
+    if (by_edge_.size() <= static_cast<std::size_t>(p.edge)) by_edge_.resize(p.edge + 1);
+    by_edge_[p.edge].push_back(n);
+  }
+}
+
+std::uint32_t EdgeChains::find(VertexId a, VertexId b) const {
+  const auto found = by_ends_.find(key(a.index(), b.index()));
+  return found == by_ends_.end() ? UINT32_MAX : found->second;
+}
+
+std::uint32_t EdgeChains::piece_at(int edge, double t) const {
+  const auto& chain = by_edge_[edge];
+  auto at = std::lower_bound(chain.begin(), chain.end(), t,
+                             [&](std::uint32_t n, double value) { return pieces_[n].tb < value; });
+  if (at == chain.end()) --at;
+  return *at;
+}
+
+void EdgeChains::split(std::uint32_t n, VertexId point, double t) {
+  const EdgePiece old = pieces_[n];
+  const auto added = static_cast<std::uint32_t>(pieces_.size());
+  by_ends_.erase(key(old.a, old.b));
+  pieces_[n] = {old.a, point.index(), old.ta, t, old.edge};
+  pieces_.push_back({point.index(), old.b, t, old.tb, old.edge});
+  by_ends_[key(old.a, point.index())] = n;
+  by_ends_[key(point.index(), old.b)] = added;
+  auto& chain = by_edge_[old.edge];
+  chain.insert(std::find(chain.begin(), chain.end(), n) + 1, added);
+}
+
+Band::Band(const Model& model, RegionOf region_of) : model_(&model), region_of_(std::move(region_of)) {
+  vertex_faces_.resize(static_cast<std::size_t>(model.count(0)) + 1);
+  face_itself_.resize(static_cast<std::size_t>(model.count(2)) + 1);
+  for (int f = 1; f <= model.count(2); ++f) {
+    face_itself_[f] = {f};
+    for (const int v : model.face(f).vertices) vertex_faces_[v].push_back(f);
+  }
+}
+
+const std::vector<int>& Band::faces_of(ModelRef on) const {
+  static const std::vector<int> kNone;
+  switch (on.dim) {
+    case 0:
+      return vertex_faces_[on.tag];
+    case 1:
+      return model_->edge(on.tag).faces;
+    case 2:
+      return face_itself_[on.tag];
+    default:
+      return kNone;
+  }
+}
+
+void Band::update(const TetMesh& mesh, std::span<const ModelRef> on, std::span<const TetId> created) {
+  region_.resize(mesh.tets.size(), kUnknown);
+  facet_on_.resize(mesh.tets.size(), {kUnknown, kUnknown, kUnknown, kUnknown});
+  std::vector<std::uint8_t> is_flat(created.size(), 0);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, created.size(), 256), [&](const auto& range) {
+    for (std::size_t i = range.begin(); i != range.end(); ++i) {
+      const TetId t = created[i];
+      if (!mesh.alive(t)) continue;
+      facet_on_[t] = {kUnknown, kUnknown, kUnknown, kUnknown};
+      const TetKind kind = tet_kind(mesh, on, t);
+      const auto& v = mesh.tets[t];
+      if (kind == TetKind::kGhost) {
+        region_[t] = 0;
+      } else if (kind == TetKind::kInterior) {
+        region_[t] = on[v[0].index()].tag;
+      } else {
+        const Circumcentre c =
+            circumcentre(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], mesh.points[v[3]]);
+        is_flat[i] = !c.reliable;
+        region_[t] = c.reliable ? region_of_(c.point) : kUnknown;
+      }
+    }
+  });
+  std::vector<TetId> flat;
+  for (std::size_t i = 0; i < created.size(); ++i) {
+    if (!mesh.alive(created[i])) continue;
+    if (is_flat[i]) flat.push_back(created[i]);
+    for (int f = 0; f < 4; ++f) {
+      const TetId n = mesh.neighbours[created[i]][f];
+      for (int g = 0; g < 4; ++g)
+        if (mesh.neighbours[n][g] == created[i]) facet_on_[n][g] = kUnknown;
+    }
+  }
+  label_flat(mesh, flat);
+}
+
+/// A flat tetrahedron takes the region across its largest face: either choice gives a triangulation of the
+/// same four coplanar points.
+void Band::label_flat(const TetMesh& mesh, const std::vector<TetId>& flat) {
+  for (std::size_t pass = 0; pass <= flat.size(); ++pass) {
+    bool open = false;
+    for (const TetId t : flat) {
+      if (region_[t] != kUnknown) continue;
+      double largest = -1.0;
+      int best = kUnknown;
+      for (int f = 0; f < 4; ++f) {
+        const int r = region_[mesh.neighbours[t][f]];
+        if (r == kUnknown) continue;
+        const auto& v = mesh.tets[t];
+        const Vec3 a = mesh.points[v[kTetFace[f][0]]];
+        const double area =
+            (mesh.points[v[kTetFace[f][1]]] - a).cross(mesh.points[v[kTetFace[f][2]]] - a).squaredNorm();
+        if (area > largest) {
+          largest = area;
+          best = r;
+        }
+      }
+      region_[t] = best;
+      open = open || best == kUnknown;
+    }
+    if (!open) return;
+  }
+  for (const TetId t : flat)
+    if (region_[t] == kUnknown) region_[t] = 0;
+}
+
+const std::vector<BoundaryFacet>& Band::facets(const TetMesh& mesh, std::span<const ModelRef> on) {
+  facets_.clear();
+  for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
+    const TetId t(i);
+    if (!mesh.alive(t) || region_[t] == 0) continue;
+    for (std::int8_t f = 0; f < 4; ++f) {
+      const TetId n = mesh.neighbours[t][f];
+      if (region_[n] >= region_[t]) continue;
+      const auto& v = mesh.tets[t];
+      facets_.push_back({t, f, facet_on_[t][f], {v[kTetFace[f][0]], v[kTetFace[f][1]], v[kTetFace[f][2]]}});
+    }
+  }
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, facets_.size(), 128), [&](const auto& range) {
+    for (std::size_t i = range.begin(); i != range.end(); ++i) {
+      BoundaryFacet& facet = facets_[i];
+      if (facet.face == kUnknown)
+        facet.face = classify_facet(mesh, on, facet, region_[mesh.neighbours[facet.tet][facet.local]]);
+    }
+  });
+  for (const BoundaryFacet& facet : facets_) facet_on_[facet.tet][facet.local] = facet.face;
+  return facets_;
+}
+
+int Band::classify_facet(const TetMesh& mesh, std::span<const ModelRef> on, const BoundaryFacet& facet,
+                         int region_front) const {
+  const int region_behind = region_[facet.tet];
+  std::array<const std::vector<int>*, 3> lists;
+  for (int i = 0; i < 3; ++i) lists[i] = &faces_of(on[facet.v[i].index()]);
+  std::sort(lists.begin(), lists.end(), [](const auto* a, const auto* b) { return a->size() < b->size(); });
+  const Vec3 centre = (mesh.points[facet.v[0]] + mesh.points[facet.v[1]] + mesh.points[facet.v[2]]) / 3.0;
+  std::vector<std::pair<double, int>> fitting;
+  for (const int f : *lists[0]) {
+    const auto& r = model_->face(f).region;
+    const bool sides =
+        (r[0] == region_behind && r[1] == region_front) || (r[1] == region_behind && r[0] == region_front);
+    if (!sides) continue;
+    if (!std::binary_search(lists[1]->begin(), lists[1]->end(), f)) continue;
+    if (!std::binary_search(lists[2]->begin(), lists[2]->end(), f)) continue;
+    fitting.emplace_back(0.0, f);
+  }
+  if (fitting.size() > 1)
+    for (auto& [distance, f] : fitting) distance = model_->face_closest(f, centre).distance;
+  std::sort(fitting.begin(), fitting.end());
+  for (const auto& [distance, f] : fitting)
+    if (fits(mesh, facet, f, region_front)) return f;
+  return 0;
+}
+
+bool Band::fits(const TetMesh& mesh, const BoundaryFacet& facet, int face, int region_front) const {
+  const Vec3 a = mesh.points[facet.v[0]], b = mesh.points[facet.v[1]], c = mesh.points[facet.v[2]];
+  const Vec3 centre = (a + b + c) / 3.0;
+  Vec3 normal = (b - a).cross(c - a);
+  const double twice_area = normal.norm();
+  const double longest =
+      std::sqrt(std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
+  const FaceFoot foot = model_->face_project(face, centre);
+  if (!foot.converged || (foot.point - centre).norm() > kDistance * longest) return false;
+  // A needle of coplanar points has no normal worth asking for; its neighbours decide.
+  if (twice_area < 1e-6 * longest * longest) return true;
+  if (model_->face(face).region[1] != region_front) normal = -normal;
+  return normal.dot(foot.normal) >= kNormal * twice_area;
+}
+
+}  // namespace octet

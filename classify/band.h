@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The band of tetrahedra around the boundary as classification sees it, kept up to date as points are
+// inserted.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "base/seed_points.h"
+#include "geom/model.h"
+#include "mesh/tet_mesh.h"
+
+namespace octet {
+
+/// Region tag of the model that holds a point, 0 outside; must be exact and callable from several threads.
+using RegionOf = std::function<int(const Vec3&)>;
+
+/// A face between two tetrahedra of different regions.
+struct BoundaryFacet {
+  TetId tet;  ///< the side with the larger region tag (or, when equal tags are impossible, the first)
+  std::int8_t local = 0;      ///< face of `tet`
+  std::int32_t face = 0;      ///< model face it is classified on, 0: none fits (a gap)
+  std::array<VertexId, 3> v;  ///< counter-clockwise seen from outside `tet`
+};
+
+/// The chains of mesh vertices on the real model edges, as pieces found by their two ends.
+class EdgeChains {
+ public:
+  explicit EdgeChains(std::vector<EdgePiece> pieces);
+
+  [[nodiscard]] const std::vector<EdgePiece>& pieces() const { return pieces_; }
+  [[nodiscard]] const EdgePiece& operator[](std::uint32_t n) const { return pieces_[n]; }
+  /// Number of the piece that joins two points, or UINT32_MAX.
+  [[nodiscard]] std::uint32_t find(VertexId a, VertexId b) const;
+  /// Number of the piece of `edge` that holds parameter t.
+  [[nodiscard]] std::uint32_t piece_at(int edge, double t) const;
+  /// Replaces piece n by two that meet in `point`; the first keeps the number.
+  void split(std::uint32_t n, VertexId point, double t);
+
+ private:
+  static std::uint64_t key(std::uint32_t a, std::uint32_t b) {
+    return a < b ? (std::uint64_t{a} << 32 | b) : (std::uint64_t{b} << 32 | a);
+  }
+  std::vector<EdgePiece> pieces_;
+  std::unordered_map<std::uint64_t, std::uint32_t> by_ends_;
+  std::vector<std::vector<std::uint32_t>> by_edge_;  ///< per model edge, piece numbers in order of t
+};
+
+/// Regions of the tetrahedra and model faces of the facets.
+///
+/// Invariant: `region` is that of the circumcentre for every live tetrahedron seen by update(), 0 for ghosts;
+/// the facets between different regions are therefore the restricted Delaunay triangulation of the boundary.
+/// [DESIGN: docs/ARCHITECTURE.md, "Classification"]
+class Band {
+ public:
+  Band(const Model& model, RegionOf region_of);
+
+  /// Labels the given tetrahedra anew. `on` gives the classification of every vertex of the mesh.
+  void update(const TetMesh& mesh, std::span<const ModelRef> on, std::span<const TetId> created);
+
+  [[nodiscard]] int region(TetId t) const { return region_[t]; }
+  /// All facets between different regions, ascending by tetrahedron; those of the last call that did not
+  /// change keep their classification without new queries.
+  [[nodiscard]] const std::vector<BoundaryFacet>& facets(const TetMesh& mesh, std::span<const ModelRef> on);
+
+  [[nodiscard]] const Model& model() const { return *model_; }
+
+ private:
+  void label_flat(const TetMesh& mesh, const std::vector<TetId>& flat);
+  [[nodiscard]] int classify_facet(const TetMesh& mesh, std::span<const ModelRef> on,
+                                   const BoundaryFacet& facet, int region_front) const;
+  [[nodiscard]] bool fits(const TetMesh& mesh, const BoundaryFacet& facet, int face, int region_front) const;
+  [[nodiscard]] const std::vector<int>& faces_of(ModelRef on) const;
+
+  const Model* model_;
+  RegionOf region_of_;
+  IdVector<TetId, std::int32_t> region_;
+  IdVector<TetId, std::array<std::int32_t, 4>> facet_on_;  ///< -1 not yet asked
+  std::vector<BoundaryFacet> facets_;
+  std::vector<std::vector<int>> vertex_faces_;  ///< per model vertex tag: faces whose closure holds it
+  std::vector<std::vector<int>> face_itself_;   ///< per face tag: {tag}
+};
+
+}  // namespace octet

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Compaction in the order of the points, so that the bytes depend on the input alone.
+#include "classify/extract.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace octet {
+namespace {
+
+class Extractor {
+ public:
+  Extractor(std::span<const Vec3> points, std::span<const ModelRef> on)
+      : points_(points), on_(on), number_(points.size(), UINT32_MAX) {}
+
+  void use(std::uint32_t p) { number_[p] = 0; }
+
+  void number() {
+    for (std::uint32_t p = 0; p < number_.size(); ++p) {
+      if (number_[p] == UINT32_MAX) continue;
+      number_[p] = static_cast<std::uint32_t>(mesh.points.size());
+      mesh.points.push_back(points_[p]);
+      mesh.point_on.push_back(on_[p]);
+    }
+  }
+  [[nodiscard]] std::uint32_t operator()(std::uint32_t p) const { return number_[p]; }
+
+  Mesh mesh;
+
+ private:
+  std::span<const Vec3> points_;
+  std::span<const ModelRef> on_;
+  std::vector<std::uint32_t> number_;
+};
+
+int nearest_face(const Model& model, const Vec3& p) {
+  const auto foot = model.closest(p, std::numeric_limits<double>::infinity());
+  return foot ? foot->face : 1;
+}
+
+}  // namespace
+
+Mesh extract_mesh(Band& band, const TetMesh& tets, std::span<const Vec3> points, std::span<const ModelRef> on,
+                  const EdgeChains& chains, const ExtraTets& extra) {
+  const Model& model = band.model();
+  Extractor out(points, on);
+  std::vector<TetId> kept;
+  for (std::size_t i = 0; i < tets.tets.size(); ++i) {
+    const TetId t(i);
+    if (!tets.alive(t) || band.region(t) == 0 || tets.ghost(t)) continue;
+    const auto& v = tets.tets[t];
+    const Vec3 centroid =
+        0.25 * (tets.points[v[0]] + tets.points[v[1]] + tets.points[v[2]] + tets.points[v[3]]);
+    if (extra.covers && extra.covers(centroid)) continue;
+    kept.push_back(t);
+    for (const VertexId p : v) out.use(p.index());
+  }
+  for (const auto& t : extra.tets)
+    for (const std::uint32_t p : t) out.use(p);
+  out.number();
+  Mesh& mesh = out.mesh;
+  for (const TetId t : kept) {
+    const auto& v = tets.tets[t];
+    mesh.tets.push_back({out(v[0].index()), out(v[1].index()), out(v[2].index()), out(v[3].index())});
+    mesh.tet_in.push_back(band.region(t));
+  }
+  for (std::size_t i = 0; i < extra.tets.size(); ++i) {
+    const auto& v = extra.tets[i];
+    mesh.tets.push_back({out(v[0]), out(v[1]), out(v[2]), out(v[3])});
+    mesh.tet_in.push_back(extra.region[i]);
+  }
+  for (const BoundaryFacet& f : band.facets(tets, on)) {
+    std::array<std::uint32_t, 3> v{out(f.v[0].index()), out(f.v[1].index()), out(f.v[2].index())};
+    const int face =
+        f.face > 0
+            ? f.face
+            : nearest_face(model, (tets.points[f.v[0]] + tets.points[f.v[1]] + tets.points[f.v[2]]) / 3.0);
+    // The facet is listed outwards from the region of `tet`; the model face's normal points to region[1].
+    if (model.face(face).region[0] != band.region(f.tet)) std::swap(v[1], v[2]);
+    mesh.triangles.push_back(v);
+    mesh.triangle_on.push_back(face);
+  }
+  for (const EdgePiece& p : chains.pieces()) {
+    if (out(p.a) == UINT32_MAX || out(p.b) == UINT32_MAX) continue;
+    mesh.edges.push_back({out(p.a), out(p.b)});
+    mesh.edge_on.push_back(p.edge);
+  }
+  return std::move(out.mesh);
+}
+
+}  // namespace octet

@@ -1,0 +1,367 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Every claim that makes the facets a surface on the model, tested edge by edge and vertex by vertex.
+#include "classify/gaps.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "mesh/circumcentre.h"
+
+namespace octet {
+namespace {
+
+/// The side of a facet at one of its edges.
+struct EdgeUseOfFacet {
+  std::uint32_t a, b;  ///< a < b
+  std::uint32_t facet;
+  bool operator<(const EdgeUseOfFacet& o) const {
+    return a != o.a ? a < o.a : (b != o.b ? b < o.b : facet < o.facet);
+  }
+};
+
+std::vector<EdgeUseOfFacet> edge_uses(const std::vector<BoundaryFacet>& facets) {
+  std::vector<EdgeUseOfFacet> uses;
+  uses.reserve(3 * facets.size());
+  for (std::uint32_t n = 0; n < facets.size(); ++n)
+    for (int i = 0; i < 3; ++i) {
+      const std::uint32_t a = facets[n].v[i].index(), b = facets[n].v[(i + 1) % 3].index();
+      uses.push_back({std::min(a, b), std::max(a, b), n});
+    }
+  std::sort(uses.begin(), uses.end());
+  return uses;
+}
+
+class GapFinder {
+ public:
+  GapFinder(Band& band, const TetMesh& mesh, std::span<const ModelRef> on, const EdgeChains& chains)
+      : model_(band.model()), mesh_(mesh), on_(on), chains_(chains), band_(band) {}
+
+  std::vector<Gap> run() {
+    missing_pieces();
+    if (!gaps_.empty()) return std::move(gaps_);
+    facets_ = &band_.facets(mesh_, on_);
+    for (std::uint32_t n = 0; n < facets_->size(); ++n)
+      if ((*facets_)[n].face == 0) add_facet(GapKind::kNoFace, n, ModelRef{});
+    edges();
+    vertices();
+    return std::move(gaps_);
+  }
+
+ private:
+  void missing_pieces() {
+    std::vector<std::uint8_t> present(chains_.pieces().size(), 0);
+    for (std::size_t i = 0; i < mesh_.tets.size(); ++i) {
+      const TetId t(i);
+      if (!mesh_.alive(t) || mesh_.ghost(t)) continue;
+      const auto& v = mesh_.tets[t];
+      for (const auto& e : kTetEdge) {
+        if (on_[v[e[0]].index()].dim > 1 || on_[v[e[1]].index()].dim > 1) continue;
+        const std::uint32_t n = chains_.find(v[e[0]], v[e[1]]);
+        if (n != UINT32_MAX) present[n] = 1;
+      }
+    }
+    for (std::uint32_t n = 0; n < present.size(); ++n)
+      if (!present[n]) add_piece(GapKind::kMissingPiece, n);
+  }
+
+  void add_piece(GapKind kind, std::uint32_t n) {
+    const EdgePiece& p = chains_[n];
+    Gap gap;
+    gap.kind = kind;
+    gap.entity = model_edge(p.edge);
+    gap.place = 0.5 * (mesh_.points[VertexId(p.a)] + mesh_.points[VertexId(p.b)]);
+    gap.piece = n;
+    gaps_.push_back(gap);
+  }
+
+  void add_facet(GapKind kind, std::uint32_t n, ModelRef entity) {
+    const BoundaryFacet& f = (*facets_)[n];
+    Gap gap;
+    gap.kind = kind;
+    gap.place = (mesh_.points[f.v[0]] + mesh_.points[f.v[1]] + mesh_.points[f.v[2]]) / 3.0;
+    gap.entity = entity;
+    for (int i = 0; i < 3 && !gap.entity.valid(); ++i)
+      if (on_[f.v[i].index()].dim == 2) gap.entity = on_[f.v[i].index()];
+    for (int i = 0; i < 3 && !gap.entity.valid(); ++i)
+      if (on_[f.v[i].index()].dim < 2) gap.entity = on_[f.v[i].index()];
+    gap.tet = f.tet;
+    gap.local = f.local;
+    gaps_.push_back(gap);
+  }
+
+  /// Faces that must meet at a piece of the edge, ascending, a face twice when it lies on both sides.
+  [[nodiscard]] std::vector<int> expected_faces(int edge) const {
+    std::vector<int> faces;
+    for (const int f : model_.edge(edge).faces)
+      for (const FaceBoundary& b : model_.face(f).boundary)
+        if (b.edge == edge && model_.face(f).region[0] != model_.face(f).region[1]) faces.push_back(f);
+    std::sort(faces.begin(), faces.end());
+    return faces;
+  }
+
+  void edges() {
+    const std::vector<EdgeUseOfFacet> uses = edge_uses(*facets_);
+    std::vector<std::uint8_t> seen(chains_.pieces().size(), 0);
+    std::vector<int> faces;
+    for (std::size_t i = 0, j = 0; i < uses.size(); i = j) {
+      faces.clear();
+      for (j = i; j < uses.size() && uses[j].a == uses[i].a && uses[j].b == uses[i].b; ++j)
+        faces.push_back((*facets_)[uses[j].facet].face);
+      std::sort(faces.begin(), faces.end());
+      if (faces[0] == 0) {  // reported as kNoFace
+        const std::uint32_t n = chains_.find(VertexId(uses[i].a), VertexId(uses[i].b));
+        if (n != UINT32_MAX) seen[n] = 1;
+        continue;
+      }
+      edge_group(uses, i, j, faces, seen);
+    }
+    for (std::uint32_t n = 0; n < seen.size(); ++n)
+      if (!seen[n] && !expected_faces(chains_[n].edge).empty()) add_piece(GapKind::kEdgeFan, n);
+  }
+
+  void edge_group(const std::vector<EdgeUseOfFacet>& uses, std::size_t i, std::size_t j,
+                  const std::vector<int>& faces, std::vector<std::uint8_t>& seen) {
+    const std::uint32_t piece = chains_.find(VertexId(uses[i].a), VertexId(uses[i].b));
+    if (piece != UINT32_MAX) {
+      seen[piece] = 1;
+      if (faces != expected_faces(chains_[piece].edge)) add_piece(GapKind::kEdgeFan, piece);
+      return;
+    }
+    if (faces.size() == 2 && faces[0] == faces[1]) return;
+    for (std::size_t k = i; k < j; ++k)
+      add_facet(GapKind::kEdgeFan, uses[k].facet, model_face((*facets_)[uses[k].facet].face));
+  }
+
+  /// Facets around each vertex, joined over edges that are no pieces, must be one disk on a face and paths
+  /// between pieces elsewhere; closed fans are right only where a face holds the vertex without an edge
+  /// (apex, pole).
+  void vertices() {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> corners;  // vertex, facet
+    corners.reserve(3 * facets_->size());
+    for (std::uint32_t n = 0; n < facets_->size(); ++n)
+      for (const VertexId v : (*facets_)[n].v) corners.emplace_back(v.index(), n);
+    std::sort(corners.begin(), corners.end());
+    std::vector<std::uint8_t> bare(on_.size(), 1);
+    std::vector<std::uint32_t> around;
+    for (std::size_t i = 0, j = 0; i < corners.size(); i = j) {
+      around.clear();
+      for (j = i; j < corners.size() && corners[j].first == corners[i].first; ++j)
+        around.push_back(corners[j].second);
+      bare[corners[i].first] = 0;
+      vertex_fans(VertexId(corners[i].first), around);
+    }
+    for (std::uint32_t v = 0; v < on_.size(); ++v)
+      if (bare[v] && on_[v].dim == 2 && bounds_a_region(on_[v].tag)) {
+        Gap gap;
+        gap.kind = GapKind::kBareVertex;
+        gap.entity = on_[v];
+        gap.place = mesh_.points[VertexId(v)];
+        gap.vertex = VertexId(v);
+        gaps_.push_back(gap);
+      }
+  }
+
+  [[nodiscard]] bool bounds_a_region(int face) const {
+    return model_.face(face).region[0] != model_.face(face).region[1];
+  }
+
+  void vertex_fans(VertexId v, const std::vector<std::uint32_t>& around) {
+    const ModelRef on = on_[v.index()];
+    if (on.dim > 2) {  // an octree vertex on the boundary: its facets are reported as kNoFace
+      return;
+    }
+    const int loops = count_loops(v, around);
+    int expected = 0;
+    if (on.dim == 2) expected = 1;
+    if (on.dim == 0) expected = edgeless_faces(on.tag);
+    if (loops == expected && (on.dim != 2 || components_ == 1)) return;
+    if (loops < 0) return;  // an edge with other than two facets: reported as kEdgeFan
+    std::uint32_t worst = around.front();
+    double radius = -1.0;
+    for (const std::uint32_t n : around) {
+      const double r = facet_radius((*facets_)[n]);
+      if (r > radius) {
+        radius = r;
+        worst = n;
+      }
+    }
+    add_facet(GapKind::kVertexFan, worst, on);
+  }
+
+  /// Faces in whose closure the vertex lies although none of its real edges bounds them.
+  [[nodiscard]] int edgeless_faces(int vertex) const {
+    int n = 0;
+    for (int f = 1; f <= model_.count(2); ++f) {
+      const auto& own = model_.face(f).vertices;
+      if (!std::binary_search(own.begin(), own.end(), vertex) || !bounds_a_region(f)) continue;
+      bool edged = false;
+      for (const int e : model_.vertex(vertex).edges) {
+        const ModelEdge& edge = model_.edge(e);
+        edged = edged ||
+                (edge.use == EdgeUse::kReal && std::binary_search(edge.faces.begin(), edge.faces.end(), f));
+      }
+      n += !edged;
+    }
+    return n;
+  }
+
+  /// Number of closed fans of facets around v (joined over non-piece edges); -1 when an edge joins other than
+  /// two.
+  int count_loops(VertexId v, const std::vector<std::uint32_t>& around) {
+    // spokes: the far ends of the edges at v that are no pieces, with the facets that use them.
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> spokes;
+    std::vector<int> open(around.size(), 0);
+    for (std::uint32_t k = 0; k < around.size(); ++k)
+      for (const VertexId w : (*facets_)[around[k]].v) {
+        if (w == v) continue;
+        if (chains_.find(v, w) != UINT32_MAX)
+          open[k] = 1;
+        else
+          spokes.emplace_back(w.index(), k);
+      }
+    std::sort(spokes.begin(), spokes.end());
+    std::vector<std::uint32_t> parent(around.size());
+    for (std::uint32_t k = 0; k < parent.size(); ++k) parent[k] = k;
+    const auto root = [&](std::uint32_t k) {
+      while (parent[k] != k) k = parent[k] = parent[parent[k]];
+      return k;
+    };
+    for (std::size_t i = 0; i < spokes.size(); i += 2) {
+      if (i + 1 >= spokes.size() || spokes[i].first != spokes[i + 1].first) return -1;
+      if (i + 2 < spokes.size() && spokes[i + 2].first == spokes[i].first) return -1;
+      parent[root(spokes[i].second)] = root(spokes[i + 1].second);
+    }
+    std::vector<int> has_end(around.size(), 0);
+    for (std::uint32_t k = 0; k < around.size(); ++k) has_end[root(k)] |= open[k];
+    int loops = 0;
+    components_ = 0;
+    for (std::uint32_t k = 0; k < around.size(); ++k) {
+      if (parent[k] != k) continue;
+      ++components_;
+      loops += !has_end[k];
+    }
+    return loops;
+  }
+
+  [[nodiscard]] double facet_radius(const BoundaryFacet& f) const {
+    const Vec3 a = mesh_.points[f.v[0]], b = mesh_.points[f.v[1]], c = mesh_.points[f.v[2]];
+    const double area = (b - a).cross(c - a).norm();
+    return (b - a).norm() * (c - b).norm() * (a - c).norm() / std::max(2.0 * area, 1e-300);
+  }
+
+  const Model& model_;
+  const TetMesh& mesh_;
+  std::span<const ModelRef> on_;
+  const EdgeChains& chains_;
+  Band& band_;
+  const std::vector<BoundaryFacet>* facets_ = nullptr;
+  std::vector<Gap> gaps_;
+  int components_ = 0;
+};
+
+}  // namespace
+
+std::vector<Gap> find_gaps(Band& band, const TetMesh& mesh, std::span<const ModelRef> on,
+                           const EdgeChains& chains) {
+  return GapFinder(band, mesh, on, chains).run();
+}
+
+AttributePoint split_point(const Model& model, const TetMesh& mesh, std::span<const ModelRef> on,
+                           const EdgePiece& piece) {
+  const bool vertex_a = on[piece.a].dim == 0, vertex_b = on[piece.b].dim == 0;
+  const double length = model.edge_length(piece.edge, piece.ta, piece.tb);
+  double from_a = 0.5 * length;
+  if (vertex_a != vertex_b) {
+    // The one power of two in (0.35, 0.7] of the length: edges that meet at the vertex are split on the same
+    // shells.
+    const double shell = std::exp2(std::floor(std::log2(0.7 * length)));
+    from_a = vertex_a ? shell : length - shell;
+  }
+  AttributePoint p;
+  p.t = model.edge_parameter(piece.edge, piece.ta, from_a);
+  if (!(p.t > piece.ta && p.t < piece.tb)) p.t = 0.5 * (piece.ta + piece.tb);
+  p.point = model.edge_point(piece.edge, p.t);
+  p.on = model_edge(piece.edge);
+  p.clearance = std::min((p.point - mesh.points[VertexId(piece.a)]).norm(),
+                         (p.point - mesh.points[VertexId(piece.b)]).norm());
+  return p;
+}
+
+namespace {
+
+Circumcentre centre_of(const TetMesh& mesh, TetId t) {
+  const auto& v = mesh.tets[t];
+  return circumcentre(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], mesh.points[v[3]]);
+}
+
+/// The end of a facet's dual segment on the side of `tet`: its circumcentre, or, for ghosts and flat
+/// tetrahedra, a point on the facet's axis.
+Vec3 dual_end(const TetMesh& mesh, TetId tet, const Vec3& centre, const Vec3& outward, double radius) {
+  if (!mesh.ghost(tet)) {
+    const Circumcentre c = centre_of(mesh, tet);
+    if (c.reliable) return c.point;
+  }
+  return centre + radius * outward;
+}
+
+}  // namespace
+
+std::optional<AttributePoint> facet_point(const Model& model, const TetMesh& mesh, TetId tet, int local,
+                                          double floor) {
+  const auto& v = mesh.tets[tet];
+  const std::array<Vec3, 3> x{mesh.points[v[kTetFace[local][0]]], mesh.points[v[kTetFace[local][1]]],
+                              mesh.points[v[kTetFace[local][2]]]};
+  const Vec3 centroid = (x[0] + x[1] + x[2]) / 3.0;
+  const double reach =
+      std::max({(x[0] - centroid).norm(), (x[1] - centroid).norm(), (x[2] - centroid).norm()});
+  Vec3 normal = (x[1] - x[0]).cross(x[2] - x[0]);
+  normal = normal.norm() > 0.0 ? normal.normalized() : Vec3::UnitX();
+  const Vec3 inner = dual_end(mesh, tet, centroid, -normal, reach);
+  const Vec3 outer = dual_end(mesh, mesh.neighbours[tet][local], centroid, normal, reach);
+  std::vector<Hit> hits;
+  model.intersect(inner, outer, hits);
+  std::optional<AttributePoint> best;
+  const auto offer = [&](const Vec3& p, ModelRef on, const Vec3& n) {
+    double clearance = std::numeric_limits<double>::infinity();
+    for (const Vec3& corner : x) clearance = std::min(clearance, (p - corner).norm());
+    if (clearance < floor || (best && clearance <= best->clearance)) return;
+    best = AttributePoint{p, on, 0.0, n, clearance};
+    if (on.dim == 1) best->t = model.edge_closest(on.tag, p).t;
+  };
+  for (const Hit& hit : hits)
+    if (hit.on.dim >= 1) offer(hit.point, hit.on, hit.normal);
+  if (best) return best;
+  if (const auto foot = model.closest(centroid, 4.0 * reach); foot && foot->on.dim >= 1)
+    offer(foot->point, foot->on, foot->normal);
+  return best;
+}
+
+Fault describe_gap(const Model& model, const Gap& gap) {
+  Fault fault;
+  fault.entity = gap.entity;
+  fault.place = gap.place;
+  const std::string who = model.describe(gap.entity);
+  switch (gap.kind) {
+    case GapKind::kMissingPiece:
+      fault.cause = who + " is not covered by a chain of mesh edges";
+      break;
+    case GapKind::kNoFace:
+      fault.cause = "a mesh face at " + who + " lies on no model face";
+      break;
+    case GapKind::kEdgeFan:
+      fault.cause = "mesh faces around an edge at " + who + " do not match the model's faces";
+      break;
+    case GapKind::kVertexFan:
+      fault.cause = "mesh faces around a vertex on " + who + " form no disk";
+      break;
+    case GapKind::kBareVertex:
+      fault.cause = who + " is not covered by mesh faces around a point on it";
+      break;
+  }
+  fault.advice = "ask for a smaller size here, or remove the small feature or thin wall at this place";
+  return fault;
+}
+
+}  // namespace octet

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Topological holes: where the mesh does not cover a model edge or face, and the points that may close them.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "base/fault.h"
+#include "classify/band.h"
+
+namespace octet {
+
+enum class GapKind {
+  kMissingPiece,  ///< no mesh edge joins two consecutive points of a model edge
+  kNoFace,        ///< a facet whose vertices, distance or normal fit no model face
+  kEdgeFan,       ///< a mesh edge whose facets are not those of its model entity
+  kVertexFan,     ///< a vertex whose facets are not one disk (one fan a face corner)
+  kBareVertex,    ///< a point on the boundary with no facet at all
+};
+
+/// One hole. `piece` is set for kMissingPiece and for fans of a piece; `facet` (a face of a tetrahedron) for
+/// the others but kBareVertex.
+struct Gap {
+  GapKind kind = GapKind::kNoFace;
+  ModelRef entity;
+  Vec3 place = Vec3::Zero();
+  std::uint32_t piece = UINT32_MAX;
+  VertexId vertex;
+  TetId tet;
+  std::int8_t local = -1;
+};
+
+/// All holes of the band, edges first: when a piece is missing only pieces are reported, since the facets
+/// around it mean nothing yet. [Schroeder & Shephard 1990, "Classification and compatibility";
+/// Handbook 15.5.2.2]
+[[nodiscard]] std::vector<Gap> find_gaps(Band& band, const TetMesh& mesh, std::span<const ModelRef> on,
+                                         const EdgeChains& chains);
+
+/// A point on the boundary that may close a hole.
+struct AttributePoint {
+  Vec3 point = Vec3::Zero();
+  ModelRef on;                 ///< face or edge
+  double t = 0.0;              ///< on an edge: its parameter
+  Vec3 normal = Vec3::Zero();  ///< on a face
+  double clearance = 0.0;      ///< distance to the facet's or piece's vertices
+};
+
+/// For a piece: the point that splits it, at a power-of-two distance from an end that is a model vertex
+/// (concentric shells), else at half its length.
+[[nodiscard]] AttributePoint split_point(const Model& model, const TetMesh& mesh,
+                                         std::span<const ModelRef> on, const EdgePiece& piece);
+
+/// For a facet: the crossing of its dual segment with the boundary that is farthest from its vertices, or,
+/// when the segment has none, the foot of its centroid. None when all are closer than `floor` to a vertex.
+[[nodiscard]] std::optional<AttributePoint> facet_point(const Model& model, const TetMesh& mesh, TetId tet,
+                                                        int local, double floor);
+
+/// The gap in the user's terms.
+[[nodiscard]] Fault describe_gap(const Model& model, const Gap& gap);
+
+}  // namespace octet

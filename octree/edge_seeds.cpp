@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Points on model edges: equal shares of the local size, and partners on edges that run close by.
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <vector>
+
+#include "octree/seed_state.h"
+
+namespace octet {
+namespace {
+
+/// Points closer than this share of the local size to a point of the same edge are not worth a pair.
+constexpr double kEdgeSpacing = 0.4;
+
+/// Length of an edge in units of the local size, as a function of the parameter.
+class SizedLength {
+ public:
+  SizedLength(const SeedState& state, int tag) {
+    const ModelEdge& edge = state.model.edge(tag);
+    double finest = edge.length;
+    for (int i = 0; i <= 32; ++i) {
+      const double t = edge.t0 + (edge.t1 - edge.t0) * i / 32;
+      finest = std::min(finest, state.tree.size_at(state.model.edge_point(tag, t)));
+    }
+    const int n = std::clamp(static_cast<int>(std::ceil(4.0 * edge.length / finest)), 16, 20000);
+    Vec3 last = state.model.edge_point(tag, edge.t0);
+    t_.push_back(edge.t0);
+    s_.push_back(0.0);
+    for (int i = 1; i <= n; ++i) {
+      const double t = edge.t0 + (edge.t1 - edge.t0) * i / n;
+      const Vec3 p = state.model.edge_point(tag, t);
+      s_.push_back(s_.back() + (p - last).norm() / state.tree.size_at(0.5 * (p + last)));
+      t_.push_back(t);
+      last = p;
+    }
+  }
+  [[nodiscard]] double at(double t) const { return interpolate(t_, s_, t); }
+  [[nodiscard]] double parameter(double s) const { return interpolate(s_, t_, s); }
+
+ private:
+  static double interpolate(const std::vector<double>& x, const std::vector<double>& y, double value) {
+    const auto hi = std::clamp<std::ptrdiff_t>(std::upper_bound(x.begin(), x.end(), value) - x.begin(), 1,
+                                               static_cast<std::ptrdiff_t>(x.size()) - 1);
+    const double w = x[hi] > x[hi - 1] ? (value - x[hi - 1]) / (x[hi] - x[hi - 1]) : 0.0;
+    return y[hi - 1] + w * (y[hi] - y[hi - 1]);
+  }
+  std::vector<double> t_, s_;
+};
+
+class EdgeSeeder {
+ public:
+  explicit EdgeSeeder(SeedState& state)
+      : state_(state), model_(state.model), stops_(static_cast<std::size_t>(model_.count(1)) + 1) {}
+
+  void run() {
+    match_vertices();
+    for (int e = 1; e <= model_.count(1); ++e) {
+      if (model_.edge(e).use != EdgeUse::kReal) continue;
+      subdivide(e);
+      match_pending();
+    }
+    for (int e = 1; e <= model_.count(1); ++e)
+      if (model_.edge(e).use == EdgeUse::kReal) emit(e);
+  }
+
+ private:
+  struct Stop {
+    int edge;
+    double t;
+  };
+
+  [[nodiscard]] double size_at(const Vec3& p) const { return state_.tree.size_at(p); }
+
+  /// Puts a stop on the edge unless one is near; its own partners are sought later.
+  void add_stop(int tag, double t, double spacing) {
+    const ModelEdge& edge = model_.edge(tag);
+    const Vec3 p = model_.edge_point(tag, t);
+    const double clear = spacing * size_at(p);
+    const auto near = [&](double other) { return (model_.edge_point(tag, other) - p).norm() < clear; };
+    if (near(edge.t0) || near(edge.t1)) return;
+    std::vector<double>& stops = stops_[tag];
+    const auto at = std::lower_bound(stops.begin(), stops.end(), t);
+    if (at != stops.end() && near(*at)) return;
+    if (at != stops.begin() && near(*std::prev(at))) return;
+    stops.insert(at, t);
+    pending_.push_back({tag, t});
+  }
+
+  /// A vertex close to an edge that does not end in it gets its foot on that edge.
+  void match_vertices() {
+    for (int v = 1; v <= model_.count(0); ++v) {
+      const Vec3 p = model_.vertex(v).point;
+      for (const EdgePartner& foot : state_.edge_index.feet(p, kMatchDistance * size_at(p))) {
+        const auto& ends = model_.edge(foot.edge).vertex;
+        if (ends[0] != v && ends[1] != v) add_stop(foot.edge, foot.t, kEdgeSpacing);
+      }
+    }
+    match_pending();
+  }
+
+  void match_pending() {
+    while (!pending_.empty()) {
+      const Stop stop = pending_.front();
+      pending_.pop_front();
+      const double reach = kMatchDistance * size_at(model_.edge_point(stop.edge, stop.t));
+      for (const EdgePartner& b : state_.edge_index.partners(stop.edge, stop.t, reach))
+        add_stop(b.edge, b.t, kEdgeSpacing);
+    }
+  }
+
+  /// Fewest pieces between two stops so that no two edges share both ends and a closed edge is a polygon.
+  [[nodiscard]] int least_pieces(int tag, double ta, double tb) const {
+    const ModelEdge& edge = model_.edge(tag);
+    if (ta > edge.t0 || tb < edge.t1) return 1;
+    if (edge.vertex[0] == edge.vertex[1]) return 4;
+    const double chord = (model_.edge_point(tag, tb) - model_.edge_point(tag, ta)).norm();
+    if (edge.length > 1.1 * chord) return 2;
+    for (const int other : model_.vertex(edge.vertex[0]).edges) {
+      const auto& ends = model_.edge(other).vertex;
+      if (other != tag && model_.edge(other).use == EdgeUse::kReal &&
+          (ends[0] == edge.vertex[1] || ends[1] == edge.vertex[1]))
+        return 2;
+    }
+    return 1;
+  }
+
+  void subdivide(int tag) {
+    const ModelEdge& edge = model_.edge(tag);
+    const SizedLength length(state_, tag);
+    std::vector<double> ends = stops_[tag];
+    ends.insert(ends.begin(), edge.t0);
+    ends.push_back(edge.t1);
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+      const double sa = length.at(ends[i]), sb = length.at(ends[i + 1]);
+      // A piece may be up to a quarter longer than the size: fewer, better pieces.
+      const int n =
+          std::max(least_pieces(tag, ends[i], ends[i + 1]), static_cast<int>(std::ceil(sb - sa - 0.25)));
+      for (int k = 1; k < n; ++k) {
+        const double t = length.parameter(sa + (sb - sa) * k / n);
+        std::vector<double>& stops = stops_[tag];
+        stops.insert(std::lower_bound(stops.begin(), stops.end(), t), t);
+        pending_.push_back({tag, t});
+      }
+    }
+  }
+
+  void emit(int tag) {
+    const ModelEdge& edge = model_.edge(tag);
+    Seeds& seeds = state_.seeds;
+    std::uint32_t last = seeds.model_vertex[edge.vertex[0]];
+    double t_last = edge.t0;
+    const auto piece = [&](std::uint32_t to, double t) {
+      const Vec3 a = seeds.points.position[last], b = seeds.points.position[to];
+      const auto number = static_cast<std::uint32_t>(seeds.pieces.size());
+      seeds.pieces.push_back({last, to, t_last, t, tag});
+      state_.piece_grid.add(number, 0.5 * (a + b), (b - a).norm());
+      last = to;
+      t_last = t;
+    };
+    for (const double t : stops_[tag]) {
+      const Vec3 p = model_.edge_point(tag, t);
+      piece(state_.add(p, model_edge(tag), size_at(p)), t);
+    }
+    piece(seeds.model_vertex[edge.vertex[1]], edge.t1);
+  }
+
+  SeedState& state_;
+  const Model& model_;
+  std::vector<std::vector<double>> stops_;  ///< interior parameters per edge, ascending
+  std::deque<Stop> pending_;
+};
+
+}  // namespace
+
+void seed_model_edges(SeedState& state) { EdgeSeeder(state).run(); }
+
+}  // namespace octet

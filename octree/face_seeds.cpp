@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Points on model faces: the exact cuts of octant edges, thinned by spacing, in matched pairs.
+#include <optional>
+
+#include "geom/opposite.h"
+#include "octree/seed_state.h"
+
+namespace octet {
+namespace {
+
+/// Sheets that enclose less than 45 degrees face each other.
+constexpr double kFacing = -0.7;
+
+struct FacePoint {
+  Vec3 p;
+  int face;
+  double size;
+};
+
+class FaceSeeder {
+ public:
+  explicit FaceSeeder(SeedState& state) : state_(state), model_(state.model) {}
+
+  void offer(const Hit& hit) {
+    if (hit.on.dim != 2 || hit.kind != HitKind::kTransversal) return;
+    const FacePoint a{hit.point, hit.on.tag, state_.tree.size_at(hit.point)};
+    if (!is_free(a)) return;
+    std::vector<FacePoint> partners;
+    for (const int side : {-1, 1}) {
+      const std::optional<FacePoint> b = partner(a, hit.normal, side);
+      if (!b) continue;
+      if (!is_free(*b)) return;  // a pair goes in whole or not at all
+      partners.push_back(*b);
+    }
+    add(a);
+    for (const FacePoint& b : partners)
+      if (is_free(b)) add(b);
+  }
+
+ private:
+  void add(const FacePoint& a) { state_.add(a.p, model_face(a.face), a.size); }
+
+  /// Far enough from the points of the same face's closure, and outside the diametral ball of every edge
+  /// piece.
+  [[nodiscard]] bool is_free(const FacePoint& a) const {
+    const ModelRef face = model_face(a.face);
+    const SeedPoints& points = state_.seeds.points;
+    if (state_.points_grid.any_within(a.p, kFaceSpacing * a.size, [&](std::uint32_t n, double) {
+          return model_.in_closure(points.on[n], face);
+        }))
+      return false;
+    return !state_.piece_grid.any_within(a.p, a.size, [&](std::uint32_t n, double) {
+      const EdgePiece& piece = state_.seeds.pieces[n];
+      return (a.p - points.position[piece.a]).dot(a.p - points.position[piece.b]) < 0.0;
+    });
+  }
+
+  [[nodiscard]] std::optional<FacePoint> partner(const FacePoint& a, const Vec3& normal, int side) const {
+    const double reach = kMatchDistance * a.size;
+    const std::optional<Foot> foot = opposite_point(model_, a.p, a.face, normal, side, reach);
+    if (!foot || foot->on.dim != 2 || foot->normal.dot(normal) > kFacing) return std::nullopt;
+    return FacePoint{foot->point, foot->on.tag, a.size};
+  }
+
+  SeedState& state_;
+  const Model& model_;
+};
+
+}  // namespace
+
+void seed_model_faces(SeedState& state, const std::vector<OctantEdgeCut>& cuts) {
+  FaceSeeder seeder(state);
+  for (const OctantEdgeCut& cut : cuts) seeder.offer(cut.hit);
+}
+
+}  // namespace octet

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the steps of seed_points() share: the points so far and what keeps them apart.
+#pragma once
+
+#include "geom/edge_match.h"
+#include "octree/point_grid.h"
+#include "octree/seeds.h"
+
+namespace octet {
+
+/// Shares of the local size; the values are those of the scan in docs/ARCHITECTURE.md ("Thinning").
+inline constexpr double kFaceSpacing = 0.5;    ///< between points in the closure of one face
+inline constexpr double kOctreeSpacing = 0.6;  ///< between an octree vertex and the surface or another point
+inline constexpr double kMatchDistance = 0.7;  ///< sheets and edges closer than this get matched pairs
+
+struct SeedState {
+  SeedState(const Model& m, const Octree& t, double edge_cell)
+      : model(m),
+        tree(t),
+        points_grid(t.origin(), t.root_size()),
+        piece_grid(t.origin(), t.root_size()),
+        edge_index(m, edge_cell) {}
+
+  const Model& model;
+  const Octree& tree;
+  Seeds seeds;
+  PointGrid points_grid;  ///< all points so far
+  PointGrid piece_grid;   ///< midpoints of edge pieces
+  EdgeIndex edge_index;
+
+  std::uint32_t add(const Vec3& p, ModelRef on, double spacing) {
+    const auto n =
+        static_cast<std::uint32_t>(seeds.points.add(p, on, free_point_rank(seeds.points.size()), spacing));
+    points_grid.add(n, p, spacing);
+    return n;
+  }
+};
+
+/// One point a model vertex.
+void seed_model_vertices(SeedState& state);
+/// Points on the real model edges at the local size, in matched pairs; fills `pieces`.
+void seed_model_edges(SeedState& state);
+/// Points on the model faces: octant-edge cuts by spacing within the face's closure, in matched pairs.
+void seed_model_faces(SeedState& state, const std::vector<OctantEdgeCut>& cuts);
+/// Octree vertices away from the surface; outside ones only near it, and the root's corners.
+void seed_octree_vertices(SeedState& state, const OctreeVertices& vertices, const OctreeLabels& labels);
+
+}  // namespace octet
