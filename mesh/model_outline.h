@@ -14,7 +14,9 @@ struct OutlineEntity {
   int tag = 0;
   std::string name;  ///< empty when the CAD gives none
   Box3 box;
-  std::vector<int> bounded_by;  ///< tags one dimension below; negative when the orientation is opposite
+  /// Tags one dimension below; negative when the orientation is opposite: an edge lists (start, -end), a
+  /// face its edges by sense, a region its faces. Entities of dimension 0 list none.
+  std::vector<int> bounded_by;
 };
 
 /// Entities per dimension 0..3, ascending by tag.

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which tetrahedra have a face: the faces of a mesh's tetrahedra, sorted by their vertices.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "mesh/mesh.h"
+
+namespace octet {
+
+/// One tetrahedron's use of a face.
+struct FaceUse {
+  std::array<Mesh::Index, 3> v;  ///< ascending
+  Mesh::Index tet = 0;
+  bool even = false;  ///< v, by the right-hand rule, points out of the (positive) tetrahedron
+};
+
+/// All faces of all tetrahedra, sorted by (v, tet); O(tets). Requires indices in range.
+class FaceUses {
+ public:
+  explicit FaceUses(const Mesh& mesh);
+  [[nodiscard]] const std::vector<FaceUse>& all() const { return uses_; }
+  /// The uses of the face with these vertices, in any order.
+  [[nodiscard]] std::span<const FaceUse> find(const std::array<Mesh::Index, 3>& face) const;
+  /// The uses that begin at position i of all() and share one face.
+  [[nodiscard]] std::span<const FaceUse> group(std::size_t i) const;
+
+ private:
+  std::vector<FaceUse> uses_;
+  std::vector<Mesh::Index> first_;  ///< per vertex: where the faces whose least vertex it is begin
+};
+
+/// The vertices ascending, and whether that order is an even permutation of the given one.
+struct SortedFace {
+  std::array<Mesh::Index, 3> v;
+  bool even = true;
+};
+[[nodiscard]] SortedFace sorted_face(const std::array<Mesh::Index, 3>& face);
+
+}  // namespace octet
