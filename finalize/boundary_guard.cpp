@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Keeps the boundary of the mesh by the exact geometry while it is changed.
+#include "finalize/boundary_guard.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "mesh/quality.h"
+
+namespace octet {
+namespace {
+
+/// Triangles may turn by 30 degrees from the exact normals at their vertices: an element that spans the 45
+/// degrees of the default curvature sizing turns by 22.5, more across its longer diagonal.
+constexpr double kTurnBound = 0.134;
+/// Sagitta allowed, as a share of the local size: 45 degrees over one element make 0.1.
+constexpr double kSagBound = 0.1;
+/// Drift allowed of a region's volume, as a share of it.
+constexpr double kVolumeBound = 2e-3;
+
+std::uint64_t rim_key(VertexId v, int face) {
+  return (static_cast<std::uint64_t>(v.index()) << 32) | static_cast<std::uint32_t>(face);
+}
+
+}  // namespace
+
+BoundaryGuard::BoundaryGuard(const Model& model, const WorkMesh& mesh)
+    : model_(&model),
+      planar_(static_cast<std::size_t>(model.count(2)) + 1, 0),
+      plane_normal_(planar_.size(), Vec3::Zero()),
+      on_face_(mesh.points.size()),
+      on_face_known_(mesh.points.size(), 0),
+      volume_(static_cast<std::size_t>(model.count(3)) + 1, 0.0),
+      exact_volume_(volume_.size(), 0.0),
+      allowed_(volume_.size(), 0.0) {
+  for (int face = 1; face <= model.count(2); ++face) {
+    const std::size_t i = static_cast<std::size_t>(face);
+    planar_[i] = std::string_view(model.surface(face).kind()) == "plane";
+    if (planar_[i]) plane_normal_[i] = model.face_normal(face, Vec2::Zero());
+  }
+  for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
+    const TetId t(i);
+    if (!mesh.alive(t)) continue;
+    volume_[static_cast<std::size_t>(mesh.region[t])] +=
+        signed_volume(mesh.point(t, 0), mesh.point(t, 1), mesh.point(t, 2), mesh.point(t, 3));
+  }
+  for (std::size_t r = 1; r < volume_.size(); ++r) {
+    exact_volume_[r] = model.region(static_cast<int>(r)).volume;
+    allowed_[r] = kVolumeBound * std::abs(exact_volume_[r]);
+  }
+}
+
+const Seat& BoundaryGuard::seat(const WorkMesh& mesh, VertexId v, int face) {
+  const bool inside = mesh.on[v].dim == 2;
+  if (inside && v.index() < on_face_known_.size() && on_face_known_[v.index()]) return on_face_[v.index()];
+  if (!inside) {
+    if (const auto it = on_rim_.find(rim_key(v, face)); it != on_rim_.end()) return it->second;
+  }
+  Seat seat;
+  if (planar(face)) {
+    seat.normal = plane_normal_[static_cast<std::size_t>(face)];
+  } else {
+    const FaceFoot foot = model_->face_project(face, mesh.points[v]);
+    seat = {foot.uv, foot.normal};
+  }
+  set_seat(mesh, v, face, seat);
+  return inside ? on_face_[v.index()] : on_rim_.at(rim_key(v, face));
+}
+
+void BoundaryGuard::set_seat(const WorkMesh& mesh, VertexId v, int face, const Seat& seat) {
+  if (mesh.on[v].dim != 2) {
+    on_rim_.insert_or_assign(rim_key(v, face), seat);
+    return;
+  }
+  if (v.index() >= on_face_.size()) {
+    on_face_.resize(v.index() + 1);
+    on_face_known_.resize(v.index() + 1, 0);
+  }
+  on_face_[v.index()] = seat;
+  on_face_known_[v.index()] = 1;
+}
+
+double BoundaryGuard::parameter(const WorkMesh& mesh, VertexId v) {
+  const auto [it, fresh] = parameter_.try_emplace(v.index(), 0.0);
+  if (fresh) it->second = model_->edge_closest(mesh.on[v].tag, mesh.points[v]).t;
+  return it->second;
+}
+
+Fit BoundaryGuard::fit(const WorkMesh& mesh, int face, const std::array<VertexId, 3>& v) {
+  const std::array<Vec3, 3> points{mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]]};
+  if (planar(face)) {
+    const Vec3& n = plane_normal_[static_cast<std::size_t>(face)];
+    return fit(points, {n, n, n});
+  }
+  // Three calls that may each move what an earlier reference points to: take copies.
+  const Vec3 n0 = seat(mesh, v[0], face).normal;
+  const Vec3 n1 = seat(mesh, v[1], face).normal;
+  const Vec3 n2 = seat(mesh, v[2], face).normal;
+  return fit(points, {n0, n1, n2});
+}
+
+Fit BoundaryGuard::fit(const std::array<Vec3, 3>& points, const std::array<Vec3, 3>& normals) {
+  Fit result;
+  const Vec3 cross = (points[1] - points[0]).cross(points[2] - points[0]);
+  const double length = cross.norm();
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    if (normals[i].isZero()) continue;
+    result.turn = std::max(result.turn, length > 0.0 ? 1.0 - cross.dot(normals[i]) / length : 2.0);
+    if (normals[j].isZero()) continue;
+    result.sag = std::max(result.sag, std::abs((normals[j] - normals[i]).dot(points[j] - points[i])) / 8.0);
+  }
+  return result;
+}
+
+Fit BoundaryGuard::bound(const Fit& before, double size) {
+  return {std::max(before.turn, kTurnBound), std::max(before.sag, kSagBound * size)};
+}
+
+bool BoundaryGuard::admits(std::span<const VolumeChange> changes) const {
+  return std::all_of(changes.begin(), changes.end(), [&](const VolumeChange& c) {
+    const std::size_t r = static_cast<std::size_t>(c.region);
+    const double error = std::abs(volume_[r] - exact_volume_[r]);
+    const double after = std::abs(volume_[r] + c.change - exact_volume_[r]);
+    return after <= std::max(error, allowed_[r]);
+  });
+}
+
+void BoundaryGuard::take(std::span<const VolumeChange> changes) {
+  for (const VolumeChange& c : changes) volume_[static_cast<std::size_t>(c.region)] += c.change;
+}
+
+}  // namespace octet

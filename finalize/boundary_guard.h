@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Keeps the boundary of the mesh by the exact geometry while it is changed.
+#pragma once
+
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "finalize/work_mesh.h"
+#include "geom/model.h"
+
+namespace octet {
+
+/// A mesh vertex as one model face sees it. The normal is zero where the face has none (an apex).
+struct Seat {
+  Vec2 uv = Vec2::Zero();
+  Vec3 normal = Vec3::Zero();
+};
+
+/// How far triangles are from the faces they are classified on.
+struct Fit {
+  double turn = 0.0;  ///< largest 1 - cos of the angle between a triangle and the face's exact normals at its
+                      ///< vertices; 2 for a triangle without area
+  double sag = 0.0;   ///< largest estimated distance of an edge's middle to the face, model units
+
+  void add(const Fit& other) {
+    turn = turn > other.turn ? turn : other.turn;
+    sag = sag > other.sag ? sag : other.sag;
+  }
+};
+
+/// What an operation adds to a region's volume; only operations on curved faces add any.
+struct VolumeChange {
+  std::int32_t region = 0;
+  double change = 0.0;
+};
+
+/// Normals of vertices on faces, found once, and what a change of the boundary may do.
+///
+/// Why: greedy improvement of angles folds thin curved sheets over their own surface. All vertices stay on
+/// the exact geometry, so a triangle can leave it by its sagitta only, and that is bounded by the turn of the
+/// exact normals over the triangle; both are held to a bound, or to what was there before.
+class BoundaryGuard {
+ public:
+  BoundaryGuard(const Model& model, const WorkMesh& mesh);
+
+  [[nodiscard]] bool planar(int face) const { return planar_[static_cast<std::size_t>(face)]; }
+  /// Seat of a vertex in the closure of the face; projected at the first call.
+  [[nodiscard]] const Seat& seat(const WorkMesh& mesh, VertexId v, int face);
+  /// The vertex moved (or is new): its seat on the face is now this.
+  void set_seat(const WorkMesh& mesh, VertexId v, int face, const Seat& seat);
+
+  /// Parameter of a vertex on its model edge.
+  [[nodiscard]] double parameter(const WorkMesh& mesh, VertexId v);
+  void set_parameter(VertexId v, double t) { parameter_[v.index()] = t; }
+
+  /// Fit of one triangle that is oriented as the face.
+  [[nodiscard]] Fit fit(const WorkMesh& mesh, int face, const std::array<VertexId, 3>& triangle);
+  /// The same for a vertex at another place.
+  [[nodiscard]] static Fit fit(const std::array<Vec3, 3>& points, const std::array<Vec3, 3>& normals);
+
+  /// The worst that triangles made from ones of fit `before` may have, where the local size is `size`.
+  [[nodiscard]] static Fit bound(const Fit& before, double size);
+  [[nodiscard]] static bool within(const Fit& fit, const Fit& bound) {
+    return fit.turn <= bound.turn && fit.sag <= bound.sag;
+  }
+
+  /// Whether the regions' volumes may change so: nearer to the exact volume, or within a small share of it.
+  [[nodiscard]] bool admits(std::span<const VolumeChange> changes) const;
+  void take(std::span<const VolumeChange> changes);
+
+ private:
+  const Model* model_;
+  std::vector<char> planar_;                        ///< per face tag
+  std::vector<Vec3> plane_normal_;                  ///< per face tag
+  std::vector<Seat> on_face_;                       ///< per vertex: of vertices inside a face
+  std::vector<char> on_face_known_;                 ///< per vertex
+  std::unordered_map<std::uint64_t, Seat> on_rim_;  ///< (vertex, face): of vertices on edges; looked up only
+  std::unordered_map<std::uint32_t, double> parameter_;
+  std::vector<double> volume_, exact_volume_, allowed_;  ///< per region tag
+};
+
+}  // namespace octet

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Edge collapse: a vertex is drawn onto a neighbour, and what lay between them vanishes.
+#include "finalize/collapse.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "finalize/cavity.h"
+#include "finalize/shape.h"
+#include "mesh/quality.h"
+
+namespace octet {
+namespace {
+
+using Vertices = std::vector<VertexId>;
+
+void sort_unique(Vertices& v) {
+  std::sort(v.begin(), v.end());
+  v.erase(std::unique(v.begin(), v.end()), v.end());
+}
+
+bool has(const Vertices& sorted, VertexId v) { return std::binary_search(sorted.begin(), sorted.end(), v); }
+
+/// The neighbours of a vertex: all, and those along edges on model faces.
+struct Neighbourhood {
+  Vertices all, on_faces;
+};
+
+Neighbourhood neighbourhood(const WorkMesh& mesh, VertexId v, const std::vector<TetId>& tets) {
+  Neighbourhood result;
+  for (const TetId t : tets) {
+    for (int i = 0; i < 4; ++i) {
+      const VertexId w = mesh.tets[t][i];
+      if (w == v) continue;
+      result.all.push_back(w);
+      for (int f = 0; f < 4; ++f) {
+        if (f != i && mesh.tets[t][f] != v && mesh.face_on[t][f] != 0) {
+          result.on_faces.push_back(w);
+          break;
+        }
+      }
+    }
+  }
+  sort_unique(result.all);
+  sort_unique(result.on_faces);
+  return result;
+}
+
+/// What the model says of drawing ring.a onto ring.b.
+bool model_allows(const Workshop& shop, const EdgeRing& ring) {
+  const WorkMesh& mesh = shop.mesh;
+  const ModelRef on = mesh.on[ring.a];
+  if (on.dim == 0) return false;
+  if (on.dim == 3) return true;
+  if (on.dim == 1) {
+    if (std::abs(piece_on(mesh, ring.a, ring.b)) != on.tag) return false;
+    const ModelEdge& edge = shop.model.edge(on.tag);
+    const bool loop = edge.vertex[0] == edge.vertex[1];
+    return mesh.pieces_on_edge[static_cast<std::size_t>(on.tag)] > (loop ? 3 : 1);
+  }
+  const auto walls = std::count_if(ring.face_on.begin(), ring.face_on.end(), [](int f) { return f != 0; });
+  return walls == 2 && std::all_of(ring.face_on.begin(), ring.face_on.end(),
+                                   [&](int f) { return f == 0 || std::abs(f) == on.tag; });
+}
+
+/// The link condition. `ring` goes around the edge, `a` and `b` are the ends' neighbourhoods, `tets` the star
+/// of ring.a.
+bool link_allows(const WorkMesh& mesh, const EdgeRing& ring, const Neighbourhood& a, const Neighbourhood& b,
+                 const std::vector<TetId>& tets) {
+  Vertices rim = ring.rim;
+  sort_unique(rim);
+  for (const VertexId v : a.all) {
+    if (has(b.all, v) && !has(rim, v)) return false;
+  }
+  for (std::size_t i = 0; i < ring.rim.size(); ++i) {
+    const VertexId v = ring.rim[i];
+    if (has(a.on_faces, v) && has(b.on_faces, v) && ring.face_on[i] == 0) return false;
+    if (piece_on(mesh, ring.a, v) != 0 && piece_on(mesh, ring.b, v) != 0) return false;
+  }
+  // A triangle of ring.a on two rim vertices must belong to a tetrahedron of the edge.
+  for (const TetId t : tets) {
+    if (corner_of(mesh, t, ring.b) >= 0) continue;
+    for (int f = 0; f < 4; ++f) {
+      if (mesh.tets[t][f] == ring.a) continue;
+      int on_rim = 0;
+      for (int c = 0; c < 3; ++c) on_rim += has(rim, mesh.tets[t][kTetFace[f][c]]);
+      const TetId n = mesh.neighbours[t][f];
+      if (on_rim == 2 && (!n.valid() || corner_of(mesh, n, ring.b) < 0)) return false;
+    }
+  }
+  // A tetrahedron of the edge between two classified faces would press them together.
+  return std::all_of(ring.tets.begin(), ring.tets.end(), [&](TetId t) {
+    return mesh.face_on[t][corner_of(mesh, t, ring.a)] == 0 ||
+           mesh.face_on[t][corner_of(mesh, t, ring.b)] == 0;
+  });
+}
+
+struct Draft {
+  std::vector<NewTet> tets;
+  std::vector<NewTriangle> triangles;
+  std::vector<VolumeChange> volumes;
+  Fit before, after;
+};
+
+void add_volume(std::vector<VolumeChange>& changes, std::int32_t region, double change) {
+  auto it =
+      std::find_if(changes.begin(), changes.end(), [&](const VolumeChange& c) { return c.region == region; });
+  if (it == changes.end()) it = changes.insert(it, VolumeChange{region, 0.0});
+  it->change += change;
+}
+
+/// The star of `gone` with `kept` in its place.
+bool draft_tets(Workshop& shop, VertexId gone, VertexId kept, const std::vector<TetId>& tets, double floor,
+                Draft& draft) {
+  const WorkMesh& mesh = shop.mesh;
+  for (const TetId t : tets) {
+    NewTet tet{mesh.tets[t], mesh.region[t]};
+    if (corner_of(mesh, t, kept) >= 0) continue;
+    tet.vertices[corner_of(mesh, t, gone)] = kept;
+    const auto& v = tet.vertices;
+    ++shop.work;
+    if (shape(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], mesh.points[v[3]]) <= floor)
+      return false;
+    draft.tets.push_back(tet);
+  }
+  return true;
+}
+
+/// The triangles of `gone` on model faces, drawn to `kept`, and whether they keep to the exact faces.
+bool draft_triangles(Workshop& shop, VertexId gone, VertexId kept, const std::vector<TetId>& tets,
+                     Draft& draft) {
+  const WorkMesh& mesh = shop.mesh;
+  double longest = 0.0;
+  bool curved = false;
+  for (const TetId t : tets) {
+    for (int f = 0; f < 4; ++f) {
+      const std::int32_t tag = mesh.face_on[t][f];
+      if (tag == 0 || mesh.tets[t][f] == gone || (tag < 0 && mesh.neighbours[t][f].valid())) continue;
+      NewTriangle triangle{{}, std::abs(tag)};
+      for (int c = 0; c < 3; ++c) triangle.vertices[c] = mesh.tets[t][kTetFace[f][c]];
+      if (tag < 0) std::swap(triangle.vertices[1], triangle.vertices[2]);
+      draft.before.add(shop.guard.fit(mesh, triangle.face, triangle.vertices));
+      for (const VertexId v : triangle.vertices) {
+        longest = std::max(longest, (mesh.points[v] - mesh.points[gone]).norm());
+      }
+      curved = curved || !shop.guard.planar(triangle.face);
+      auto& v = triangle.vertices;
+      if (std::find(v.begin(), v.end(), kept) != v.end()) continue;
+      std::replace(v.begin(), v.end(), gone, kept);
+      draft.after.add(shop.guard.fit(mesh, triangle.face, v));
+      draft.triangles.push_back(triangle);
+    }
+  }
+  if (!BoundaryGuard::within(draft.after, BoundaryGuard::bound(draft.before, longest))) return false;
+  if (!curved) return true;
+  const auto volume = [&](const std::array<VertexId, 4>& v) {
+    return signed_volume(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], mesh.points[v[3]]);
+  };
+  for (const TetId t : tets) add_volume(draft.volumes, mesh.region[t], -volume(mesh.tets[t]));
+  for (const NewTet& tet : draft.tets) add_volume(draft.volumes, tet.region, volume(tet.vertices));
+  return shop.guard.admits(draft.volumes);
+}
+
+}  // namespace
+
+bool collapse_edge(Workshop& shop, VertexId gone, VertexId kept, double floor) {
+  WorkMesh& mesh = shop.mesh;
+  if (mesh.on[gone].dim == 0 || mesh.frozen[gone] || mesh.frozen[kept]) return false;
+  if (mesh.on[gone].dim < mesh.on[kept].dim) return false;
+  std::vector<TetId> tets, kept_tets;
+  star(mesh, gone, tets);
+  Draft draft;
+  if (!draft_tets(shop, gone, kept, tets, floor, draft)) return false;
+  const auto shared =
+      std::find_if(tets.begin(), tets.end(), [&](TetId t) { return corner_of(mesh, t, kept) >= 0; });
+  if (shared == tets.end()) return false;
+  EdgeRing ring;
+  edge_ring(mesh, *shared, gone, kept, ring);
+  if (!model_allows(shop, ring)) return false;
+  star(mesh, kept, kept_tets);
+  if (!link_allows(mesh, ring, neighbourhood(mesh, gone, tets), neighbourhood(mesh, kept, kept_tets), tets) ||
+      !draft_triangles(shop, gone, kept, tets, draft)) {
+    return false;
+  }
+  CavityChange change{tets, draft.tets, draft.triangles};
+  change.removed_vertex = gone;
+  std::vector<std::array<VertexId, 2>> removed_pieces;
+  std::vector<NewPiece> added_pieces;
+  if (mesh.on[gone].dim == 1) {
+    for (const VertexId v : neighbourhood(mesh, gone, tets).all) {
+      const std::int32_t tag = piece_on(mesh, gone, v);
+      if (tag == 0) continue;
+      removed_pieces.push_back({gone, v});
+      if (v == kept) continue;
+      added_pieces.push_back(tag > 0 ? NewPiece{kept, v, tag} : NewPiece{v, kept, -tag});
+    }
+  }
+  change.removed_pieces = removed_pieces;
+  change.added_pieces = added_pieces;
+  if (!replace_cavity(mesh, change, shop.made)) return false;
+  shop.guard.take(draft.volumes);
+  ++shop.report.collapses;
+  return true;
+}
+
+}  // namespace octet

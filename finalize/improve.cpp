@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The passes of finalization, made of the operators.
+#include "finalize/improve.h"
+
+#include <algorithm>
+#include <queue>
+#include <tuple>
+
+#include "base/error.h"
+#include "finalize/collapse.h"
+#include "finalize/edge_removal.h"
+#include "finalize/face_swap.h"
+#include "finalize/shape.h"
+#include "finalize/smooth.h"
+#include "finalize/split.h"
+
+namespace octet {
+namespace {
+
+/// Below this an edge collapse may not leave anything, however bad what it removes was.
+constexpr double kCollapseShape = 0.0302;  // ten degrees
+
+struct Candidate {
+  double quality;
+  TetId tet;
+  /// The worst comes first, ties by number.
+  bool operator<(const Candidate& other) const {
+    return std::tie(other.quality, other.tet) < std::tie(quality, tet);
+  }
+};
+
+bool touches_boundary(const WorkMesh& mesh, TetId t) {
+  return std::any_of(mesh.tets[t].begin(), mesh.tets[t].end(),
+                     [&](VertexId v) { return mesh.on_boundary(v); });
+}
+
+double worst_quality(const WorkMesh& mesh, const std::vector<TetId>& tets) {
+  double worst = 1.0;
+  for (const TetId t : tets) worst = std::min(worst, mesh.quality[t]);
+  return worst;
+}
+
+/// Removes the edge whose removal leaves the best shapes.
+bool remove_best_edge(Workshop& shop, TetId t) {
+  const auto v = shop.mesh.tets[t];
+  double best = better_than(shop.mesh.quality[t]);
+  int edge = -1;
+  for (int e = 0; e < 6; ++e) {
+    const double value = edge_removal_shape(shop, t, v[kTetEdge[e][0]], v[kTetEdge[e][1]], best);
+    if (value > best) {
+      best = value;
+      edge = e;
+    }
+  }
+  return edge >= 0 &&
+         remove_edge(shop, t, v[kTetEdge[edge][0]], v[kTetEdge[edge][1]], better_than(shop.mesh.quality[t]));
+}
+
+bool swap_some_face(Workshop& shop, TetId t) {
+  for (int f = 0; f < 4; ++f) {
+    if (swap_face(shop, t, f, better_than(shop.mesh.quality[t]))) return true;
+  }
+  return false;
+}
+
+bool smooth_corners(Workshop& shop, TetId t, double goal) {
+  bool any = false;
+  std::vector<TetId> changed;
+  for (const VertexId v : std::array(shop.mesh.tets[t])) {
+    if (!smooth_vertex(shop, v, goal)) continue;
+    any = true;
+    changed.insert(changed.end(), shop.made.begin(), shop.made.end());
+    if (shop.mesh.quality[t] >= goal) break;
+  }
+  std::sort(changed.begin(), changed.end());
+  changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+  if (any) shop.made = changed;
+  return any;
+}
+
+/// The edges of t with their squared lengths, shortest first.
+std::array<std::pair<double, int>, 6> edges_by_length(const WorkMesh& mesh, TetId t) {
+  std::array<std::pair<double, int>, 6> edges;
+  for (int e = 0; e < 6; ++e) {
+    edges[e] = {(mesh.point(t, kTetEdge[e][0]) - mesh.point(t, kTetEdge[e][1])).squaredNorm(), e};
+  }
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
+bool collapse_some_edge(Workshop& shop, TetId t) {
+  const auto v = shop.mesh.tets[t];
+  const double floor = better_than(shop.mesh.quality[t]);
+  for (const auto& [length, e] : edges_by_length(shop.mesh, t)) {
+    const VertexId a = v[kTetEdge[e][0]], b = v[kTetEdge[e][1]];
+    if (collapse_edge(shop, a, b, floor) || collapse_edge(shop, b, a, floor)) return true;
+  }
+  return false;
+}
+
+bool split_some_edge(Workshop& shop, TetId t) {
+  const auto v = shop.mesh.tets[t];
+  const auto edges = edges_by_length(shop.mesh, t);
+  for (auto edge = edges.rbegin(); edge != edges.rend(); ++edge) {
+    const int e = edge->second;
+    if (split_edge(shop, t, v[kTetEdge[e][0]], v[kTetEdge[e][1]], better_than(shop.mesh.quality[t])))
+      return true;
+  }
+  return false;
+}
+
+bool improve_tet(Workshop& shop, TetId t, double goal, Effort effort) {
+  if (remove_best_edge(shop, t) || swap_some_face(shop, t) || smooth_corners(shop, t, goal)) return true;
+  return effort == Effort::kFull && (collapse_some_edge(shop, t) || split_some_edge(shop, t));
+}
+
+bool budget_spent(Workshop& shop) {
+  // Measured: an ordinary part uses a tenth of it; a thin shell, where nothing can be won, all of it.
+  const std::uint64_t budget = 2'000'000 + 400 * static_cast<std::uint64_t>(shop.mesh.tets.size());
+  if (shop.work > budget) shop.report.budget_spent = true;
+  return shop.report.budget_spent;
+}
+
+/// The shape that a collapse of a short edge at `v` must keep: what is there, or what is good enough.
+double collapse_floor(Workshop& shop, VertexId a, std::vector<TetId>& tets) {
+  star(shop.mesh, a, tets);
+  const double target = shape_of_angle(shop.options.target_dihedral);
+  const double before = worst_quality(shop.mesh, tets);
+  return before >= kCollapseShape ? std::min(before * 0.999, target) : better_than(before);
+}
+
+}  // namespace
+
+void collapse_short_edges(Workshop& shop) {
+  WorkMesh& mesh = shop.mesh;
+  std::vector<double> size(mesh.points.size(), 0.0);
+  const auto size_of = [&](VertexId v) {
+    double& h = size[v.index()];
+    if (h == 0.0) h = shop.size_at(mesh.points[v]);
+    return h;
+  };
+  std::vector<std::tuple<double, VertexId, VertexId>> edges;
+  for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
+    const TetId t(i);
+    if (!mesh.alive(t) || !touches_boundary(mesh, t)) continue;
+    for (const auto& e : kTetEdge) {
+      const VertexId a = std::min(mesh.tets[t][e[0]], mesh.tets[t][e[1]]);
+      const VertexId b = std::max(mesh.tets[t][e[0]], mesh.tets[t][e[1]]);
+      const double share = (mesh.points[a] - mesh.points[b]).norm() / std::min(size_of(a), size_of(b));
+      if (share < shop.options.short_edge) edges.emplace_back(share, a, b);
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  std::vector<TetId> tets;
+  for (const auto& [share, a, b] : edges) {
+    if (!mesh.alive(a) || !mesh.alive(b)) continue;
+    if (mesh.on[a].dim >= mesh.on[b].dim && collapse_edge(shop, a, b, collapse_floor(shop, a, tets)))
+      continue;
+    if (mesh.on[b].dim >= mesh.on[a].dim) collapse_edge(shop, b, a, collapse_floor(shop, b, tets));
+  }
+}
+
+void smooth_sweep(Workshop& shop, double goal) {
+  WorkMesh& mesh = shop.mesh;
+  std::vector<char> wanted(mesh.points.size(), 0);
+  for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
+    const TetId t(i);
+    if (!mesh.alive(t) || mesh.quality[t] >= goal_of(shop, t, goal)) continue;
+    for (const VertexId v : mesh.tets[t]) wanted[v.index()] = 1;
+  }
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    if (wanted[i]) laplacian_step(shop, VertexId(i));
+  }
+}
+
+double goal_of(const Workshop& shop, TetId t, double goal) {
+  if (touches_boundary(shop.mesh, t)) return goal;
+  return std::min(goal, shape_of_angle(shop.options.leave_interior));
+}
+
+std::size_t improve_worst_first(Workshop& shop, double goal, Effort effort, Observer& observer) {
+  const WorkMesh& mesh = shop.mesh;
+  std::priority_queue<Candidate> queue;
+  for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
+    const TetId t(i);
+    if (mesh.alive(t) && mesh.quality[t] < goal_of(shop, t, goal)) queue.push({mesh.quality[t], t});
+  }
+  std::size_t done = 0, taken = 0;
+  while (!queue.empty() && !budget_spent(shop)) {
+    const Candidate candidate = queue.top();
+    queue.pop();
+    if (!mesh.alive(candidate.tet) || mesh.quality[candidate.tet] != candidate.quality) continue;
+    if (++taken % 256 == 0 && observer.cancelled()) throw Cancelled();
+    if (!improve_tet(shop, candidate.tet, goal, effort)) continue;
+    ++done;
+    for (const TetId t : shop.made) {
+      if (mesh.quality[t] < goal_of(shop, t, goal)) queue.push({mesh.quality[t], t});
+    }
+  }
+  return done;
+}
+
+}  // namespace octet

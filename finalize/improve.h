@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The passes of finalization, made of the operators.
+#pragma once
+
+#include "base/observer.h"
+#include "finalize/workshop.h"
+
+namespace octet {
+
+/// Collapses the edges of the boundary's neighbourhood that are shorter than options.short_edge times the
+/// local size: the nicks that points near to each other leave [Handbook 15.6.2].
+void collapse_short_edges(Workshop& shop);
+
+/// One sweep of the constrained Laplacian over the vertices whose worst tetrahedron is below `goal`.
+void smooth_sweep(Workshop& shop, double goal);
+
+/// Which operators a pass may use.
+enum class Effort {
+  kPolish,  ///< edge removal, face swaps and smoothing
+  kFull,    ///< also collapses and splits
+};
+
+/// Takes the tetrahedra below `goal` (a shape) worst first, and the ones that come of them, and applies the
+/// first operator that betters each [Handbook 15.6.3]. Returns the number of operations done; stops when the
+/// work budget is spent.
+std::size_t improve_worst_first(Workshop& shop, double goal, Effort effort, Observer& observer);
+
+/// The shape that finalization works towards for t: `goal`, less for those that do not touch the boundary.
+[[nodiscard]] double goal_of(const Workshop& shop, TetId t, double goal);
+
+}  // namespace octet

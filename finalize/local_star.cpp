@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One vertex and all that its place decides: found in the mesh, or thought up before it is made.
+#include "finalize/local_star.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "finalize/shape.h"
+
+namespace octet {
+namespace {
+
+/// A projection on a curved face, in evaluations of `shape`.
+constexpr std::uint64_t kProjectionWork = 10;
+
+const Seat* find_seat(const Stand& stand, int face) {
+  for (const auto& [f, seat] : stand.seats) {
+    if (f == face) return &seat;
+  }
+  return nullptr;
+}
+
+/// Triangles of the tetrahedron at the vertex; those with two sides are taken from one of them.
+void collect_triangles(const WorkMesh& mesh, TetId t, VertexId v, std::vector<StarTriangle>& triangles) {
+  for (int f = 0; f < 4; ++f) {
+    const std::int32_t tag = mesh.face_on[t][f];
+    if (tag == 0 || mesh.tets[t][f] == v || (tag < 0 && mesh.neighbours[t][f].valid())) continue;
+    int c = 0;
+    while (mesh.tets[t][kTetFace[f][c]] != v) ++c;
+    StarTriangle triangle{std::abs(tag),
+                          {mesh.tets[t][kTetFace[f][(c + 1) % 3]], mesh.tets[t][kTetFace[f][(c + 2) % 3]]}};
+    if (tag < 0) std::swap(triangle.rim[0], triangle.rim[1]);
+    triangles.push_back(triangle);
+  }
+}
+
+}  // namespace
+
+LocalStar local_star(Workshop& shop, VertexId v, const std::vector<TetId>& tets) {
+  const WorkMesh& mesh = shop.mesh;
+  LocalStar star;
+  star.on = mesh.on[v];
+  star.bases.reserve(tets.size());
+  for (const TetId t : tets) {
+    const auto& f = kTetFace[corner_of(mesh, t, v)];
+    star.bases.push_back({mesh.point(t, f[0]), mesh.point(t, f[2]), mesh.point(t, f[1])});
+    for (const Vec3& p : star.bases.back()) star.length += (p - mesh.points[v]).norm();
+    if (star.on.dim < 3) collect_triangles(mesh, t, v, star.triangles);
+  }
+  star.length /= 3.0 * static_cast<double>(tets.size());
+  if (star.on.dim == 3) return star;
+  Fit before;
+  for (const StarTriangle& triangle : star.triangles) {
+    before.add(shop.guard.fit(mesh, triangle.face, {v, triangle.rim[0], triangle.rim[1]}));
+  }
+  dress_triangles(shop, star, before, star.length);
+  return star;
+}
+
+void dress_triangles(Workshop& shop, LocalStar& star, const Fit& before, double size) {
+  star.bound = BoundaryGuard::bound(before, size);
+  for (const StarTriangle& triangle : star.triangles) {
+    const auto [x, y] = triangle.rim;
+    const Vec3 nx = shop.guard.seat(shop.mesh, x, triangle.face).normal;
+    const Vec3 ny = shop.guard.seat(shop.mesh, y, triangle.face).normal;
+    star.rims.push_back({shop.mesh.points[x], shop.mesh.points[y]});
+    star.normals.push_back({nx, ny});
+    star.faces.push_back(triangle.face);
+  }
+  std::sort(star.faces.begin(), star.faces.end());
+  star.faces.erase(std::unique(star.faces.begin(), star.faces.end()), star.faces.end());
+}
+
+Stand current_stand(Workshop& shop, VertexId v, const LocalStar& star) {
+  Stand stand;
+  stand.point = shop.mesh.points[v];
+  if (star.on.dim == 1) stand.t = shop.guard.parameter(shop.mesh, v);
+  if (star.on.dim == 3) return stand;
+  for (const int face : star.faces) {
+    if (!shop.guard.planar(face)) stand.seats.emplace_back(face, shop.guard.seat(shop.mesh, v, face));
+  }
+  return stand;
+}
+
+bool take_stand(Workshop& shop, const LocalStar& star, const Stand& from, const Vec3& wish, Stand& stand) {
+  stand.seats.clear();
+  stand.point = wish;
+  if (star.on.dim == 3) return true;
+  if (star.on.dim == 1) {
+    const EdgeFoot foot = shop.model.edge_project(star.on.tag, wish, from.t);
+    stand.point = foot.point;
+    stand.t = foot.t;
+  }
+  if (star.on.dim == 2 && shop.guard.planar(star.on.tag)) {
+    // Any foot is exact on a plane; its (u,v) is not kept.
+    stand.point = shop.model.face_project(star.on.tag, wish, Vec2::Zero()).point;
+    return true;
+  }
+  for (const int face : star.faces) {
+    if (shop.guard.planar(face)) continue;
+    const Seat* seed = find_seat(from, face);
+    const FaceFoot foot = seed != nullptr ? shop.model.face_project(face, stand.point, seed->uv)
+                                          : shop.model.face_project(face, stand.point);
+    shop.work += kProjectionWork;
+    if (!foot.converged) return false;
+    if (star.on.dim == 2) stand.point = foot.point;
+    stand.seats.emplace_back(face, Seat{foot.uv, foot.normal});
+  }
+  return true;
+}
+
+double star_shape(Workshop& shop, const LocalStar& star, const Vec3& place, double floor) {
+  double worst = 1.0;
+  std::size_t i = 0;
+  for (; i < star.bases.size() && worst > floor; ++i) {
+    worst = std::min(worst, shape(star.bases[i][0], star.bases[i][1], star.bases[i][2], place));
+  }
+  shop.work += i;
+  return worst;
+}
+
+bool triangles_fit(const Workshop& shop, const LocalStar& star, const Stand& stand) {
+  for (std::size_t i = 0; i < star.triangles.size(); ++i) {
+    const int face = star.triangles[i].face;
+    const Seat* seat = shop.guard.planar(face) ? nullptr : find_seat(stand, face);
+    const Vec3& normal = seat != nullptr ? seat->normal : star.normals[i][0];
+    const Fit fit = BoundaryGuard::fit({stand.point, star.rims[i][0], star.rims[i][1]},
+                                       {normal, star.normals[i][0], star.normals[i][1]});
+    if (!BoundaryGuard::within(fit, star.bound)) return false;
+  }
+  return true;
+}
+
+void record_stand(Workshop& shop, VertexId v, const Stand& stand) {
+  if (shop.mesh.on[v].dim == 1) shop.guard.set_parameter(v, stand.t);
+  for (const auto& [face, seat] : stand.seats) shop.guard.set_seat(shop.mesh, v, face, seat);
+}
+
+}  // namespace octet

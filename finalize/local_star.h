@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One vertex and all that its place decides: found in the mesh, or thought up before it is made.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "finalize/workshop.h"
+
+namespace octet {
+
+/// A triangle (vertex, x, y) on a model face, oriented as the face.
+struct StarTriangle {
+  int face = 0;
+  std::array<VertexId, 2> rim;
+};
+
+/// Where a vertex stands: its point, and its parameters on the entity that holds it.
+struct Stand {
+  Vec3 point = Vec3::Zero();
+  double t = 0.0;                           ///< on an edge
+  std::vector<std::pair<int, Seat>> seats;  ///< per model face of the star's triangles, planar ones excepted
+};
+
+/// Ensures nothing about the mesh: a star may stand for a vertex that does not exist yet.
+struct LocalStar {
+  ModelRef on;                               ///< entity that the vertex must stay on
+  std::vector<std::array<Vec3, 3>> bases;    ///< shape(x, y, z, place) positive for each tetrahedron
+  std::vector<StarTriangle> triangles;       ///< on model faces
+  std::vector<std::array<Vec3, 2>> rims;     ///< points of the triangles' other vertices
+  std::vector<std::array<Vec3, 2>> normals;  ///< exact normals there
+  std::vector<int> faces;                    ///< model faces of the triangles, once each
+  Fit bound;                                 ///< what the triangles may become
+  double length = 0.0;                       ///< mean distance from the place to the bases
+};
+
+/// The star of a vertex of the mesh; `tets` are the tetrahedra around it.
+[[nodiscard]] LocalStar local_star(Workshop& shop, VertexId v, const std::vector<TetId>& tets);
+/// Fills rims, normals, faces from `triangles`; `before` is the fit of the triangles to be replaced.
+void dress_triangles(Workshop& shop, LocalStar& star, const Fit& before, double size);
+
+/// How the vertex of the mesh stands now.
+[[nodiscard]] Stand current_stand(Workshop& shop, VertexId v, const LocalStar& star);
+
+/// Brings `wish` onto the entity, starting from how the vertex stands; false when the projection fails.
+[[nodiscard]] bool take_stand(Workshop& shop, const LocalStar& star, const Stand& from, const Vec3& wish,
+                              Stand& stand);
+
+/// Smallest shape of the star with the vertex there; may stop early at a value not above `floor`.
+[[nodiscard]] double star_shape(Workshop& shop, const LocalStar& star, const Vec3& place, double floor);
+/// Whether the triangles keep to the bound with the vertex standing so.
+[[nodiscard]] bool triangles_fit(const Workshop& shop, const LocalStar& star, const Stand& stand);
+
+/// Records how the vertex stands; the mesh's point is the caller's to move.
+void record_stand(Workshop& shop, VertexId v, const Stand& stand);
+
+}  // namespace octet

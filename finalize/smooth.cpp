@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Node repositioning: the constrained Laplacian, and the line search for the worst element.
+#include "finalize/smooth.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/check.h"
+#include "finalize/cavity.h"
+#include "finalize/shape.h"
+#include "mesh/quality.h"
+
+namespace octet {
+namespace {
+
+constexpr int kLineSearches = 6;
+constexpr int kSections = 4;
+/// Angles whose sine is within this factor of the worst are raised together.
+constexpr double kNearlyWorst = 1.1;
+constexpr std::size_t kMaxActive = 24;
+
+double signed_root(double square) { return square < 0.0 ? -std::sqrt(-square) : std::sqrt(square); }
+
+/// Gradients, by central differences, of the sines that are nearly the worst. Sines, not their squares: a
+/// square is flat where the tetrahedron is flat.
+void active_gradients(Workshop& shop, const LocalStar& star, const Vec3& place, double worst,
+                      std::vector<Vec3>& gradients) {
+  gradients.clear();
+  const double limit = std::max(worst * kNearlyWorst * kNearlyWorst, 1e-8);
+  const double step = 1e-5 * star.length;
+  for (const auto& base : star.bases) {
+    const auto squares = squared_sines(base[0], base[1], base[2], place);
+    if (*std::min_element(squares.begin(), squares.end()) > limit) continue;
+    std::array<Vec3, 6> gradient;
+    for (int axis = 0; axis < 3; ++axis) {
+      const Vec3 offset = step * Vec3::Unit(axis);
+      const auto ahead = squared_sines(base[0], base[1], base[2], place + offset);
+      const auto behind = squared_sines(base[0], base[1], base[2], place - offset);
+      for (int e = 0; e < 6; ++e) {
+        gradient[e][axis] = (signed_root(ahead[e]) - signed_root(behind[e])) / (2.0 * step);
+      }
+    }
+    shop.work += 7;
+    for (int e = 0; e < 6 && gradients.size() < kMaxActive; ++e) {
+      if (squares[e] <= limit) gradients.push_back(gradient[e]);
+    }
+  }
+  shop.work += star.bases.size();
+}
+
+/// The shortest vector of the convex hull of the gradients: the direction along which the least of them rises
+/// fastest. Gilbert's algorithm; a few steps are enough for a direction.
+Vec3 steepest_common_ascent(const std::vector<Vec3>& gradients) {
+  Vec3 x = gradients[0];
+  for (int step = 0; step < 24; ++step) {
+    const Vec3* least = &gradients[0];
+    for (const Vec3& g : gradients) {
+      if (g.dot(x) < least->dot(x)) least = &g;
+    }
+    const Vec3 along = *least - x;
+    const double gain = -along.dot(x);
+    if (gain <= 1e-3 * x.squaredNorm()) break;
+    x += std::min(1.0, gain / along.squaredNorm()) * along;
+  }
+  return x;
+}
+
+/// Directions in which the vertex can move: along its edge, in the tangent plane of its face.
+void constrain(const Workshop& shop, const LocalStar& star, const Stand& stand,
+               std::vector<Vec3>& gradients) {
+  if (star.on.dim == 3) return;
+  Vec3 axis;
+  if (star.on.dim == 1) {
+    axis = shop.model.edge_derivative(star.on.tag, stand.t).normalized();
+  } else {
+    axis = shop.guard.planar(star.on.tag) ? star.normals[0][0] : stand.seats[0].second.normal;
+  }
+  for (Vec3& g : gradients) {
+    const Vec3 along = axis.dot(g) * axis;
+    g = star.on.dim == 1 ? along : Vec3(g - along);
+  }
+}
+
+/// Shape with the vertex at from + s * direction, brought onto its entity; -1 where it cannot stand.
+double probe(Workshop& shop, const LocalStar& star, const Stand& from, const Vec3& wish, double floor,
+             Stand& stand) {
+  if (!take_stand(shop, star, from, wish, stand)) return -1.0;
+  const double value = star_shape(shop, star, stand.point, floor);
+  if (value <= floor || !triangles_fit(shop, star, stand)) return -1.0;
+  return value;
+}
+
+/// Golden section along the line between 0 and `reach`, keeping the best place seen.
+double search_line(Workshop& shop, const LocalStar& star, const Vec3& direction, double worst, double reach,
+                   Stand& stand) {
+  constexpr double kGolden = 0.6180339887498949;
+  const Stand from = stand;
+  Stand trial;
+  double best = worst;
+  const auto at = [&](double s) {
+    const double value = probe(shop, star, from, from.point + s * direction, best, trial);
+    if (value > best) {
+      best = value;
+      stand = trial;
+      return true;
+    }
+    return false;
+  };
+  double s = reach;
+  int halvings = 0;
+  while (!at(s) && ++halvings < 8) s *= 0.4;
+  if (halvings == 8) return best;
+  // The optimum is unimodal along the line [Handbook 15.6.1]: bracket it by the tried points beside the best.
+  double lo = 0.0, hi = halvings == 0 ? 2.0 * reach : s / 0.4;
+  double peak = s;
+  for (int i = 0; i < kSections; ++i) {
+    const bool right = hi - peak > peak - lo;
+    const double next = right ? peak + (1.0 - kGolden) * (hi - peak) : peak - (1.0 - kGolden) * (peak - lo);
+    if (at(next)) {
+      (right ? lo : hi) = peak;
+      peak = next;
+    } else {
+      (right ? hi : lo) = next;
+    }
+  }
+  return best;
+}
+
+/// The average of the neighbours that the vertex may move towards: all of them inside a region, those on the
+/// face's triangles on a face.
+Vec3 neighbour_average(const LocalStar& star) {
+  Vec3 sum = Vec3::Zero();
+  double count = 0.0;
+  if (star.on.dim == 3) {
+    for (const auto& base : star.bases) {
+      sum += base[0] + base[1] + base[2];
+      count += 3.0;
+    }
+  } else {
+    for (const auto& rim : star.rims) {
+      sum += rim[0] + rim[1];
+      count += 2.0;
+    }
+  }
+  return sum / count;
+}
+
+double worst_quality(const WorkMesh& mesh, const std::vector<TetId>& tets) {
+  double worst = 1.0;
+  for (const TetId t : tets) worst = std::min(worst, mesh.quality[t]);
+  return worst;
+}
+
+/// Adds the volumes of the star to its regions', with the sign given: before a move -1, after it +1.
+void add_volumes(const WorkMesh& mesh, const std::vector<TetId>& tets, double sign,
+                 std::vector<VolumeChange>& changes) {
+  for (const TetId t : tets) {
+    const double volume =
+        sign * signed_volume(mesh.point(t, 0), mesh.point(t, 1), mesh.point(t, 2), mesh.point(t, 3));
+    auto it = std::find_if(changes.begin(), changes.end(),
+                           [&](const VolumeChange& c) { return c.region == mesh.region[t]; });
+    if (it == changes.end()) it = changes.insert(it, VolumeChange{mesh.region[t], 0.0});
+    it->change += volume;
+  }
+}
+
+/// Moves the vertex to where it may stand; false, and nothing changed, when the exact checks refuse.
+bool commit_move(Workshop& shop, VertexId v, const LocalStar& star, const std::vector<TetId>& tets,
+                 const Stand& stand) {
+  const bool curved =
+      std::any_of(star.faces.begin(), star.faces.end(), [&](int face) { return !shop.guard.planar(face); });
+  const Vec3 before = shop.mesh.points[v];
+  std::vector<VolumeChange> changes;
+  if (curved) add_volumes(shop.mesh, tets, -1.0, changes);
+  if (!move_vertex(shop.mesh, v, stand.point, tets)) return false;
+  if (curved) {
+    add_volumes(shop.mesh, tets, 1.0, changes);
+    if (!shop.guard.admits(changes)) {
+      OCTET_CHECK(move_vertex(shop.mesh, v, before, tets));
+      return false;
+    }
+    shop.guard.take(changes);
+  }
+  record_stand(shop, v, stand);
+  shop.made = tets;
+  ++shop.report.smoothed;
+  return true;
+}
+
+bool may_move(const WorkMesh& mesh, VertexId v) { return mesh.on[v].dim > 0 && !mesh.frozen[v]; }
+
+}  // namespace
+
+double raise_worst(Workshop& shop, const LocalStar& star, Stand& stand, double worst, double goal) {
+  std::vector<Vec3> gradients;
+  double reach = 0.3 * star.length;
+  for (int i = 0; i < kLineSearches && worst < goal; ++i) {
+    active_gradients(shop, star, stand.point, worst, gradients);
+    if (gradients.empty()) break;
+    constrain(shop, star, stand, gradients);
+    const Vec3 direction = steepest_common_ascent(gradients);
+    const double slope = direction.norm();
+    if (slope * star.length < 1e-3) break;
+    const Vec3 before = stand.point;
+    const double raised = search_line(shop, star, direction / slope, worst, reach, stand);
+    if (raised <= better_than(worst)) return std::max(raised, worst);
+    worst = raised;
+    reach = std::clamp(2.0 * (stand.point - before).norm(), 1e-3 * star.length, 0.3 * star.length);
+  }
+  return worst;
+}
+
+bool smooth_vertex(Workshop& shop, VertexId v, double goal) {
+  if (!may_move(shop.mesh, v)) return false;
+  std::vector<TetId> tets;
+  star(shop.mesh, v, tets);
+  const double before = worst_quality(shop.mesh, tets);
+  if (before >= goal) return false;
+  const LocalStar local = local_star(shop, v, tets);
+  Stand stand = current_stand(shop, v, local);
+  double worst = before;
+  Stand average;
+  const double laplacian = probe(shop, local, stand, neighbour_average(local), worst, average);
+  if (laplacian > worst) {
+    worst = laplacian;
+    stand = average;
+  }
+  worst = raise_worst(shop, local, stand, worst, goal);
+  return worst > better_than(before) && commit_move(shop, v, local, tets, stand);
+}
+
+bool laplacian_step(Workshop& shop, VertexId v) {
+  if (!may_move(shop.mesh, v)) return false;
+  std::vector<TetId> tets;
+  star(shop.mesh, v, tets);
+  const double before = worst_quality(shop.mesh, tets);
+  const LocalStar local = local_star(shop, v, tets);
+  const Stand from = current_stand(shop, v, local);
+  const Vec3 way = neighbour_average(local) - from.point;
+  Stand stand;
+  for (const double share : {1.0, 0.5, 0.25}) {
+    if (probe(shop, local, from, from.point + share * way, better_than(before), stand) < 0.0) continue;
+    return commit_move(shop, v, local, tets, stand);
+  }
+  return false;
+}
+
+}  // namespace octet

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Edge split: a new vertex on an edge, at once moved to the place that is best for all around it.
+#include "finalize/split.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "finalize/cavity.h"
+#include "finalize/shape.h"
+#include "finalize/smooth.h"
+#include "mesh/quality.h"
+
+namespace octet {
+namespace {
+
+/// The entity that the edge of the ring lies on; not valid where that cannot be told.
+ModelRef edge_entity(const WorkMesh& mesh, const EdgeRing& ring) {
+  if (const std::int32_t tag = piece_on(mesh, ring.a, ring.b); tag != 0) return model_edge(std::abs(tag));
+  std::int32_t face = 0;
+  for (const std::int32_t tag : ring.face_on) {
+    if (tag == 0) continue;
+    if (face != 0 && face != std::abs(tag)) return {};
+    face = std::abs(tag);
+  }
+  return face != 0 ? model_face(face) : model_region(mesh.region[ring.tets[0]]);
+}
+
+/// The star that the new vertex would have, and the fit of the triangles it replaces.
+LocalStar future_star(Workshop& shop, const EdgeRing& ring, ModelRef on) {
+  const WorkMesh& mesh = shop.mesh;
+  LocalStar star;
+  star.on = on;
+  const std::size_t n = ring.rim.size();
+  const Vec3 &a = mesh.points[ring.a], &b = mesh.points[ring.b];
+  for (std::size_t i = 0; i < ring.tets.size(); ++i) {
+    const Vec3 &c = mesh.points[ring.rim[i]], &d = mesh.points[ring.rim[(i + 1) % n]];
+    star.bases.push_back({b, d, c});
+    star.bases.push_back({a, c, d});
+  }
+  star.length = (b - a).norm();
+  Fit before;
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::int32_t tag = ring.face_on[i];
+    if (tag == 0) continue;
+    // As seen from tets[i], (b, a, rim[i]) points outwards; the last face of an open ring is seen from the
+    // tetrahedron before it.
+    const bool last = !ring.closed && i + 1 == n;
+    const bool forward = (tag > 0) != last;
+    const VertexId x = forward ? ring.b : ring.a, y = forward ? ring.a : ring.b;
+    before.add(shop.guard.fit(mesh, std::abs(tag), {x, y, ring.rim[i]}));
+    star.triangles.push_back({std::abs(tag), {ring.rim[i], x}});
+    star.triangles.push_back({std::abs(tag), {y, ring.rim[i]}});
+  }
+  if (on.dim < 3) dress_triangles(shop, star, before, star.length);
+  return star;
+}
+
+/// The middle of the edge, on the entity.
+bool middle(Workshop& shop, const EdgeRing& ring, const LocalStar& star, Stand& stand) {
+  const WorkMesh& mesh = shop.mesh;
+  Stand from;
+  if (star.on.dim == 1) {
+    from.t = shop.model.edge_closest(star.on.tag, 0.5 * (mesh.points[ring.a] + mesh.points[ring.b])).t;
+  }
+  if (star.on.dim < 3) {
+    for (const int face : star.faces) {
+      if (!shop.guard.planar(face)) from.seats.emplace_back(face, shop.guard.seat(mesh, ring.a, face));
+    }
+  }
+  return take_stand(shop, star, from, 0.5 * (mesh.points[ring.a] + mesh.points[ring.b]), stand);
+}
+
+std::vector<VolumeChange> volume_changes(const Workshop& shop, const EdgeRing& ring, const LocalStar& star,
+                                         const Vec3& place) {
+  std::vector<VolumeChange> changes;
+  if (std::all_of(star.faces.begin(), star.faces.end(), [&](int f) { return shop.guard.planar(f); }))
+    return changes;
+  const WorkMesh& mesh = shop.mesh;
+  for (std::size_t i = 0; i < ring.tets.size(); ++i) {
+    const TetId t = ring.tets[i];
+    double change = -signed_volume(mesh.point(t, 0), mesh.point(t, 1), mesh.point(t, 2), mesh.point(t, 3));
+    for (std::size_t k : {2 * i, 2 * i + 1}) {
+      change += signed_volume(star.bases[k][0], star.bases[k][1], star.bases[k][2], place);
+    }
+    auto it = std::find_if(changes.begin(), changes.end(),
+                           [&](const VolumeChange& c) { return c.region == mesh.region[t]; });
+    if (it == changes.end()) it = changes.insert(it, VolumeChange{mesh.region[t], 0.0});
+    it->change += change;
+  }
+  return changes;
+}
+
+bool commit_split(Workshop& shop, const EdgeRing& ring, const LocalStar& star, const Stand& stand) {
+  WorkMesh& mesh = shop.mesh;
+  const std::vector<VolumeChange> volumes = volume_changes(shop, ring, star, stand.point);
+  if (!shop.guard.admits(volumes)) return false;
+  const VertexId m = add_vertex(mesh, stand.point, star.on);
+  std::vector<NewTet> tets;
+  const std::size_t n = ring.rim.size();
+  for (std::size_t i = 0; i < ring.tets.size(); ++i) {
+    const VertexId c = ring.rim[i], d = ring.rim[(i + 1) % n];
+    tets.push_back({{m, ring.b, c, d}, mesh.region[ring.tets[i]]});
+    tets.push_back({{ring.a, m, c, d}, mesh.region[ring.tets[i]]});
+  }
+  std::vector<NewTriangle> triangles;
+  for (const StarTriangle& t : star.triangles) triangles.push_back({{m, t.rim[0], t.rim[1]}, t.face});
+  CavityChange change{ring.tets, tets, triangles};
+  std::vector<std::array<VertexId, 2>> removed_pieces;
+  std::vector<NewPiece> added_pieces;
+  if (const std::int32_t tag = piece_on(mesh, ring.a, ring.b); tag != 0) {
+    const VertexId from = tag > 0 ? ring.a : ring.b, to = tag > 0 ? ring.b : ring.a;
+    removed_pieces.push_back({from, to});
+    added_pieces = {{from, m, std::abs(tag)}, {m, to, std::abs(tag)}};
+  }
+  change.removed_pieces = removed_pieces;
+  change.added_pieces = added_pieces;
+  if (!replace_cavity(mesh, change, shop.made)) {
+    forget_vertex(mesh, m);
+    return false;
+  }
+  shop.guard.take(volumes);
+  record_stand(shop, m, stand);
+  ++shop.report.splits;
+  return true;
+}
+
+}  // namespace
+
+bool split_edge(Workshop& shop, TetId t, VertexId a, VertexId b, double floor) {
+  if (shop.mesh.frozen[a] || shop.mesh.frozen[b]) return false;
+  EdgeRing ring;
+  edge_ring(shop.mesh, t, a, b, ring);
+  const ModelRef on = edge_entity(shop.mesh, ring);
+  if (!on.valid()) return false;
+  const LocalStar star = future_star(shop, ring, on);
+  Stand stand;
+  if (!middle(shop, ring, star, stand)) return false;
+  const double halved = star_shape(shop, star, stand.point, 0.0);
+  if (halved <= 0.0 || !triangles_fit(shop, star, stand)) return false;
+  const double worst = raise_worst(shop, star, stand, halved, 2.0 * floor);
+  return worst > floor && commit_split(shop, ring, star, stand);
+}
+
+}  // namespace octet

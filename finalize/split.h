@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Edge split: a new vertex on an edge, at once moved to the place that is best for all around it.
+#pragma once
+
+#include "finalize/workshop.h"
+
+namespace octet {
+
+/// Splits edge ab of tetrahedron t if the worst shape around it gets better than `floor`. The new vertex lies
+/// on the model entity that the edge lies on.
+bool split_edge(Workshop& shop, TetId t, VertexId a, VertexId b, double floor);
+
+}  // namespace octet

@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The mesh that can be edited: tetrahedra with neighbours and classification.
+#include "finalize/work_mesh.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <tuple>
+
+#include "base/check.h"
+#include "finalize/shape.h"
+
+namespace octet {
+namespace {
+
+using Triple = std::array<std::uint32_t, 3>;
+
+/// Sorts the three and tells whether the permutation was odd.
+bool sort_triple(Triple& v) {
+  bool odd = false;
+  const auto order = [&](int i, int j) {
+    if (v[i] > v[j]) {
+      std::swap(v[i], v[j]);
+      odd = !odd;
+    }
+  };
+  order(0, 1);
+  order(1, 2);
+  order(0, 1);
+  return odd;
+}
+
+struct FaceSlot {
+  Triple key;
+  std::uint32_t tet;
+  std::uint8_t face;
+  bool odd;
+};
+
+/// All faces of the tetrahedra, sorted by their vertices: a counting sort on the smallest vertex, then each
+/// short bucket.
+std::vector<FaceSlot> sorted_faces(const Mesh& mesh) {
+  std::vector<std::uint32_t> start(mesh.points.size() + 1, 0);
+  const auto smallest = [](const std::array<Mesh::Index, 4>& v, int f) {
+    return std::min({v[kTetFace[f][0]], v[kTetFace[f][1]], v[kTetFace[f][2]]});
+  };
+  for (const auto& v : mesh.tets) {
+    for (int f = 0; f < 4; ++f) ++start[smallest(v, f) + 1];
+  }
+  for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
+  std::vector<FaceSlot> faces(4 * mesh.tets.size());
+  std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
+  for (std::uint32_t t = 0; t < mesh.tets.size(); ++t) {
+    const auto& v = mesh.tets[t];
+    for (std::uint8_t f = 0; f < 4; ++f) {
+      Triple key{v[kTetFace[f][0]], v[kTetFace[f][1]], v[kTetFace[f][2]]};
+      const bool odd = sort_triple(key);
+      faces[next[key[0]]++] = {key, t, f, odd};
+    }
+  }
+  for (std::size_t v = 0; v + 1 < start.size(); ++v) {
+    std::sort(faces.begin() + start[v], faces.begin() + start[v + 1],
+              [](const FaceSlot& p, const FaceSlot& q) {
+                return std::tie(p.key[1], p.key[2], p.tet) < std::tie(q.key[1], q.key[2], q.tet);
+              });
+  }
+  return faces;
+}
+
+void link_neighbours(WorkMesh& work, const std::vector<FaceSlot>& faces) {
+  for (std::size_t i = 0; i + 1 < faces.size(); ++i) {
+    const FaceSlot &p = faces[i], &q = faces[i + 1];
+    if (p.key != q.key) continue;
+    work.neighbours[TetId(p.tet)][p.face] = TetId(q.tet);
+    work.neighbours[TetId(q.tet)][q.face] = TetId(p.tet);
+    ++i;
+  }
+}
+
+void tag_faces(WorkMesh& work, const Mesh& mesh, const std::vector<FaceSlot>& faces) {
+  const auto less = [](const FaceSlot& p, const Triple& key) { return p.key < key; };
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    Triple key{mesh.triangles[i][0], mesh.triangles[i][1], mesh.triangles[i][2]};
+    const bool odd = sort_triple(key);
+    auto slot = std::lower_bound(faces.begin(), faces.end(), key, less);
+    OCTET_CHECK(slot != faces.end() && slot->key == key);
+    for (; slot != faces.end() && slot->key == key; ++slot) {
+      const std::int32_t tag = mesh.triangle_on[i];
+      work.face_on[TetId(slot->tet)][slot->face] = slot->odd == odd ? tag : -tag;
+    }
+  }
+}
+
+void freeze_pinched(WorkMesh& work) {
+  IdVector<VertexId, std::uint32_t> degree(work.points.size(), 0);
+  for (const auto& v : work.tets) {
+    for (const VertexId id : v) ++degree[id];
+  }
+  std::vector<TetId> tets;
+  for (std::size_t i = 0; i < work.points.size(); ++i) {
+    const VertexId v(i);
+    if (work.on[v].dim > 1 || !work.alive(v)) continue;
+    star(work, v, tets);
+    work.frozen[v] = tets.size() != degree[v];
+  }
+}
+
+/// kEvenRest[i][j]: the other two corners k, l such that (i, j, k, l) is an even permutation.
+constexpr std::array<std::array<std::array<int, 2>, 4>, 4> even_rest() {
+  std::array<std::array<std::array<int, 2>, 4>, 4> table{};
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 4; ++j) {
+      if (i == j) continue;
+      int k = 0;
+      while (k == i || k == j) ++k;
+      const int l = 6 - i - j - k;
+      const int p[4] = {i, j, k, l};
+      int inversions = 0;
+      for (int x = 0; x < 4; ++x) {
+        for (int y = x + 1; y < 4; ++y) inversions += p[x] > p[y];
+      }
+      table[i][j] = inversions % 2 == 0 ? std::array<int, 2>{k, l} : std::array<int, 2>{l, k};
+    }
+  }
+  return table;
+}
+constexpr auto kEvenRest = even_rest();
+
+}  // namespace
+
+std::int32_t piece_on(const WorkMesh& mesh, VertexId a, VertexId b) {
+  if (mesh.on[a].dim > 1 || mesh.on[b].dim > 1) return 0;
+  const auto it = mesh.pieces.find(piece_key(a, b));
+  if (it == mesh.pieces.end()) return 0;
+  return a < b ? it->second : -it->second;
+}
+
+void add_piece(WorkMesh& mesh, VertexId a, VertexId b, std::int32_t signed_tag) {
+  const bool fresh = mesh.pieces.emplace(piece_key(a, b), a < b ? signed_tag : -signed_tag).second;
+  OCTET_CHECK(fresh);
+  const std::size_t tag = static_cast<std::size_t>(std::abs(signed_tag));
+  if (mesh.pieces_on_edge.size() <= tag) mesh.pieces_on_edge.resize(tag + 1, 0);
+  ++mesh.pieces_on_edge[tag];
+}
+
+void remove_piece(WorkMesh& mesh, VertexId a, VertexId b) {
+  const auto it = mesh.pieces.find(piece_key(a, b));
+  OCTET_CHECK(it != mesh.pieces.end());
+  --mesh.pieces_on_edge[static_cast<std::size_t>(std::abs(it->second))];
+  mesh.pieces.erase(it);
+}
+
+WorkMesh to_work_mesh(const Mesh& mesh) {
+  WorkMesh work;
+  const std::size_t vertices = mesh.points.size(), tets = mesh.tets.size();
+  work.points.values() = mesh.points;
+  work.on.values() = mesh.point_on;
+  work.tet_of.assign(vertices, TetId());
+  work.frozen.assign(vertices, 0);
+  work.vertex_mark.assign(vertices, 0);
+  work.tets.resize(tets);
+  work.neighbours.resize(tets);
+  work.face_on.resize(tets);
+  work.quality.resize(tets);
+  work.tet_mark.assign(tets, 0);
+  work.region.values() = mesh.tet_in;
+  for (std::size_t i = 0; i < tets; ++i) {
+    const TetId t(i);
+    for (int c = 0; c < 4; ++c) {
+      work.tets[t][c] = VertexId(mesh.tets[i][c]);
+      work.tet_of[work.tets[t][c]] = t;
+    }
+    work.quality[t] = shape(work.point(t, 0), work.point(t, 1), work.point(t, 2), work.point(t, 3));
+  }
+  const std::vector<FaceSlot> faces = sorted_faces(mesh);
+  link_neighbours(work, faces);
+  tag_faces(work, mesh, faces);
+  for (std::size_t i = 0; i < mesh.edges.size(); ++i) {
+    add_piece(work, VertexId(mesh.edges[i][0]), VertexId(mesh.edges[i][1]), mesh.edge_on[i]);
+  }
+  freeze_pinched(work);
+  return work;
+}
+
+Mesh to_mesh(const WorkMesh& work) {
+  Mesh mesh;
+  std::vector<Mesh::Index> number(work.points.size(), 0);
+  for (std::size_t i = 0; i < work.points.size(); ++i) {
+    const VertexId v(i);
+    if (!work.alive(v)) continue;
+    number[i] = static_cast<Mesh::Index>(mesh.points.size());
+    mesh.points.push_back(work.points[v]);
+    mesh.point_on.push_back(work.on[v]);
+  }
+  std::vector<std::tuple<std::int32_t, Mesh::Index, Mesh::Index>> edges;
+  for (const auto& [key, tag] : work.pieces) {
+    const Mesh::Index lo = number[key & 0xffffffffu], hi = number[key >> 32];
+    edges.emplace_back(std::abs(tag), tag > 0 ? lo : hi, tag > 0 ? hi : lo);
+  }
+  std::sort(edges.begin(), edges.end());
+  for (const auto& [tag, from, to] : edges) {
+    mesh.edges.push_back({from, to});
+    mesh.edge_on.push_back(tag);
+  }
+  std::vector<std::pair<std::int32_t, std::array<Mesh::Index, 3>>> triangles;
+  for (std::size_t i = 0; i < work.tets.size(); ++i) {
+    const TetId t(i);
+    if (!work.alive(t)) continue;
+    const auto& v = work.tets[t];
+    mesh.tets.push_back(
+        {number[v[0].index()], number[v[1].index()], number[v[2].index()], number[v[3].index()]});
+    mesh.tet_in.push_back(work.region[t]);
+    for (int f = 0; f < 4; ++f) {
+      const std::int32_t tag = work.face_on[t][f];
+      // Each triangle once: from the side that its normal leaves, or from its only side.
+      if (tag == 0 || (tag < 0 && work.neighbours[t][f].valid())) continue;
+      std::array<Mesh::Index, 3> triangle;
+      for (int c = 0; c < 3; ++c) triangle[c] = number[v[kTetFace[f][c]].index()];
+      if (tag < 0) std::swap(triangle[1], triangle[2]);
+      std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
+      triangles.emplace_back(std::abs(tag), triangle);
+    }
+  }
+  std::sort(triangles.begin(), triangles.end());
+  for (const auto& [tag, triangle] : triangles) {
+    mesh.triangles.push_back(triangle);
+    mesh.triangle_on.push_back(tag);
+  }
+  return mesh;
+}
+
+int corner_of(const WorkMesh& mesh, TetId t, VertexId v) {
+  const auto& c = mesh.tets[t];
+  return c[0] == v ? 0 : c[1] == v ? 1 : c[2] == v ? 2 : c[3] == v ? 3 : -1;
+}
+
+void star(WorkMesh& mesh, VertexId v, std::vector<TetId>& tets) {
+  tets.clear();
+  const std::uint32_t epoch = ++mesh.epoch;
+  tets.push_back(mesh.tet_of[v]);
+  mesh.tet_mark[tets[0]] = epoch;
+  for (std::size_t i = 0; i < tets.size(); ++i) {
+    const TetId t = tets[i];
+    for (int f = 0; f < 4; ++f) {
+      if (mesh.tets[t][f] == v) continue;
+      const TetId n = mesh.neighbours[t][f];
+      if (!n.valid() || mesh.tet_mark[n] == epoch) continue;
+      mesh.tet_mark[n] = epoch;
+      tets.push_back(n);
+    }
+  }
+}
+
+TetId tet_with_edge(WorkMesh& mesh, VertexId a, VertexId b) {
+  std::vector<TetId> tets;
+  star(mesh, a, tets);
+  for (const TetId t : tets) {
+    if (corner_of(mesh, t, b) >= 0) return t;
+  }
+  return TetId();
+}
+
+void edge_ring(const WorkMesh& mesh, TetId t, VertexId a, VertexId b, EdgeRing& ring) {
+  ring.a = a;
+  ring.b = b;
+  ring.tets.clear();
+  ring.rim.clear();
+  ring.face_on.clear();
+  const auto rest = [&](TetId s) { return kEvenRest[corner_of(mesh, s, a)][corner_of(mesh, s, b)]; };
+  // Backwards to the outer boundary, or around.
+  TetId first = t;
+  ring.closed = false;
+  while (true) {
+    const TetId previous = mesh.neighbours[first][rest(first)[1]];
+    if (!previous.valid()) break;
+    first = previous;
+    if (first == t) {
+      ring.closed = true;
+      break;
+    }
+  }
+  for (TetId s = first;;) {
+    const auto [c, d] = rest(s);
+    ring.tets.push_back(s);
+    ring.rim.push_back(mesh.tets[s][c]);
+    ring.face_on.push_back(mesh.face_on[s][d]);
+    const TetId next = mesh.neighbours[s][c];
+    if (!next.valid()) {
+      ring.rim.push_back(mesh.tets[s][d]);
+      ring.face_on.push_back(mesh.face_on[s][c]);
+      break;
+    }
+    if (next == first) break;
+    s = next;
+  }
+}
+
+}  // namespace octet

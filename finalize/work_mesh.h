@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The mesh that can be edited: tetrahedra with neighbours and classification.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "base/ids.h"
+#include "base/model_ref.h"
+#include "base/vec.h"
+#include "mesh/mesh.h"
+#include "mesh/tet_mesh.h"
+
+namespace octet {
+
+/// Structure of arrays; local numbering as drawn in mesh/tet_mesh.h.
+///
+/// Invariants (`check_work_mesh` tests them word by word):
+///  1. live tetrahedra are positive by the exact sign; dead slots have tets[t][0] invalid and wait in
+///  `free_tets`.
+///  2. `neighbours[t][i]` is the tetrahedron across face i, and points back; invalid on the outer boundary.
+///  3. `face_on[t][i]` is 0 for faces inside a region, else the model face's tag, positive when the face's
+///     outward normal is the model face's normal, negative when it is opposite. The two sides have opposite
+///     signs. Faces without a neighbour, or between regions, are never 0.
+///  4. `tet_of[v]` is a live tetrahedron at v; invalid for removed vertices.
+///  5. `pieces` holds the mesh edges on model edges; both ends are live and on the edge's closure.
+///  6. `quality[t]` is the shape (finalize/shape.h) of t.
+struct WorkMesh {
+  IdVector<VertexId, Vec3> points;
+  IdVector<VertexId, ModelRef> on;
+  IdVector<VertexId, TetId> tet_of;
+  /// Vertices whose tetrahedra do not hang together by faces (parts that touch at a vertex or an edge): their
+  /// stars cannot be walked, so they stay as they are.
+  IdVector<VertexId, char> frozen;
+
+  IdVector<TetId, std::array<VertexId, 4>> tets;
+  IdVector<TetId, std::array<TetId, 4>> neighbours;
+  IdVector<TetId, std::array<std::int32_t, 4>> face_on;
+  IdVector<TetId, std::int32_t> region;
+  IdVector<TetId, double> quality;
+  std::vector<TetId> free_tets;
+
+  /// By `piece_key`; the value is the edge's tag, positive when the edge runs from the smaller vertex id to
+  /// the larger. Looked up only, never iterated where the order could show.
+  std::unordered_map<std::uint64_t, std::int32_t> pieces;
+  std::vector<std::int32_t> pieces_on_edge;  ///< number of pieces, per model edge tag
+
+  [[nodiscard]] bool alive(TetId t) const { return tets[t][0].valid(); }
+  [[nodiscard]] bool alive(VertexId v) const { return tet_of[v].valid(); }
+  [[nodiscard]] const Vec3& point(TetId t, int corner) const { return points[tets[t][corner]]; }
+  [[nodiscard]] bool on_boundary(VertexId v) const { return on[v].dim < 3; }
+
+  // Scratch for walks: what carries the current epoch has been seen.
+  IdVector<TetId, std::uint32_t> tet_mark;
+  IdVector<VertexId, std::uint32_t> vertex_mark;
+  std::uint32_t epoch = 0;
+};
+
+[[nodiscard]] inline std::uint64_t piece_key(VertexId a, VertexId b) {
+  const std::uint64_t lo = a < b ? a.index() : b.index(), hi = a < b ? b.index() : a.index();
+  return (hi << 32) | lo;
+}
+
+/// Signed tag of the piece as seen from a to b (positive when the model edge runs so), 0 when there is none.
+[[nodiscard]] std::int32_t piece_on(const WorkMesh& mesh, VertexId a, VertexId b);
+void add_piece(WorkMesh& mesh, VertexId a, VertexId b, std::int32_t signed_tag);
+void remove_piece(WorkMesh& mesh, VertexId a, VertexId b);
+
+/// Requires the invariants of Mesh. Vertex and tetrahedron numbers are kept. O(n log n).
+[[nodiscard]] WorkMesh to_work_mesh(const Mesh& mesh);
+/// Live vertices and tetrahedra in the order of their numbers, edges and triangles sorted by (tag, vertices).
+[[nodiscard]] Mesh to_mesh(const WorkMesh& work);
+
+/// Local number of the vertex in the tetrahedron, -1 when it is not there.
+[[nodiscard]] int corner_of(const WorkMesh& mesh, TetId t, VertexId v);
+
+/// All tetrahedra at the vertex (cleared first), in the order of the walk from tet_of[v].
+void star(WorkMesh& mesh, VertexId v, std::vector<TetId>& tets);
+
+/// A tetrahedron that holds the edge, invalid when none does. Costs a star.
+[[nodiscard]] TetId tet_with_edge(WorkMesh& mesh, VertexId a, VertexId b);
+
+/// The tetrahedra around edge ab in counter-clockwise order seen from b:
+/// tets[i] = (a, b, rim[i], rim[i+1]) positive.
+///
+///        rim[i+1] *       On a closed ring rim[i+1] wraps around and there are as many rim vertices as
+///                /|       tetrahedra; on an open one (the edge lies on the outer boundary) one more.
+///            a--b |       face_on[i] is the signed tag of face (a, b, rim[i]) as seen from tets[i]; for
+///                \|       the last face of an open ring as seen from the last tetrahedron.
+///           rim[i]*
+struct EdgeRing {
+  VertexId a, b;
+  std::vector<TetId> tets;
+  std::vector<VertexId> rim;
+  std::vector<std::int32_t> face_on;
+  bool closed = false;
+};
+
+/// Fills `ring` from a tetrahedron that holds both ends.
+void edge_ring(const WorkMesh& mesh, TetId t, VertexId a, VertexId b, EdgeRing& ring);
+
+/// Empty when the invariants hold, else the first that does not. For tests.
+[[nodiscard]] std::string check_work_mesh(const WorkMesh& mesh);
+
+}  // namespace octet

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What every operator of finalization works on.
+#pragma once
+
+#include "finalize/boundary_guard.h"
+#include "finalize/finalize.h"
+#include "finalize/work_mesh.h"
+
+namespace octet {
+
+/// The mesh, the exact geometry that guards it, and the account of the work done.
+struct Workshop {
+  Workshop(WorkMesh work_mesh, const Model& the_model, const FinalizeOptions& the_options)
+      : mesh(std::move(work_mesh)), model(the_model), options(the_options), guard(the_model, mesh) {}
+
+  WorkMesh mesh;
+  const Model& model;
+  const FinalizeOptions& options;
+  BoundaryGuard guard;
+  FinalizeReport report;
+  std::uint64_t work = 0;   ///< evaluations of `shape`, the unit of the work budget
+  std::vector<TetId> made;  ///< tetrahedra made or changed by the last operator that succeeded
+
+  [[nodiscard]] double size_at(const Vec3& p) const { return options.size_at(p); }
+};
+
+/// An operator must raise the worst shape of what it touches by this factor (0.1 per cent of an angle), or it
+/// would trade ever smaller gains for ever.
+inline constexpr double kGain = 1.002;
+/// Shapes up to this are noise: the sine of a millionth of a degree.
+inline constexpr double kNoise = 1e-16;
+
+/// The least shape that counts as better than `worst`.
+[[nodiscard]] inline double better_than(double worst) { return worst > kNoise ? worst * kGain : kNoise; }
+
+}  // namespace octet
