@@ -183,8 +183,9 @@ class Model {
   [[nodiscard]] const Surface& surface(int face_tag) const;
   [[nodiscard]] const Curve& curve(int edge_tag) const;
 
+  struct Data;  ///< opaque: geom/model_data.h, for geom/*.cpp
+
  private:
-  struct Data;
   std::unique_ptr<const Data> data_;
 };
 

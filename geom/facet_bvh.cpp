@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A box hierarchy over the facets.
+#include "geom/facet_bvh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "base/check.h"
+
+namespace octet {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+float round_down(double x) {
+  const float f = static_cast<float>(x);
+  return static_cast<double>(f) > x ? std::nextafter(f, -std::numeric_limits<float>::infinity()) : f;
+}
+
+float round_up(double x) {
+  const float f = static_cast<float>(x);
+  return static_cast<double>(f) < x ? std::nextafter(f, std::numeric_limits<float>::infinity()) : f;
+}
+
+double half_area(const Box3& box) {
+  if (box.empty()) return 0.0;
+  const Vec3 s = box.size();
+  return s.x() * s.y() + s.y() * s.z() + s.z() * s.x();
+}
+
+}  // namespace
+
+FacetFoot closest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const auto at = [&](double u, double v, double w) {
+    FacetFoot foot;
+    foot.point = u * a + v * b + w * c;
+    foot.weights = Vec3(u, v, w);
+    foot.distance = (p - foot.point).norm();
+    return foot;
+  };
+  const Vec3 ab = b - a, ac = c - a, ap = p - a;
+  const double d1 = ab.dot(ap), d2 = ac.dot(ap);
+  if (d1 <= 0.0 && d2 <= 0.0) return at(1, 0, 0);
+  const Vec3 bp = p - b;
+  const double d3 = ab.dot(bp), d4 = ac.dot(bp);
+  if (d3 >= 0.0 && d4 <= d3) return at(0, 1, 0);
+  const double vc = d1 * d4 - d3 * d2;
+  if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) {
+    const double v = d1 / (d1 - d3);
+    return at(1.0 - v, v, 0);
+  }
+  const Vec3 cp = p - c;
+  const double d5 = ab.dot(cp), d6 = ac.dot(cp);
+  if (d6 >= 0.0 && d5 <= d6) return at(0, 0, 1);
+  const double vb = d5 * d2 - d1 * d6;
+  if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) {
+    const double w = d2 / (d2 - d6);
+    return at(1.0 - w, 0, w);
+  }
+  const double va = d3 * d6 - d5 * d4;
+  if (va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0) {
+    const double w = (d4 - d3) / ((d4 - d3) + (d5 - d6));
+    return at(0, 1.0 - w, w);
+  }
+  const double sum = va + vb + vc;
+  return at(va / sum, vb / sum, vc / sum);
+}
+
+/// Builds the subtrees of the faces, then the tree that joins them: both by a binned surface area heuristic.
+class FacetBvhBuilder {
+ public:
+  FacetBvhBuilder(FacetBvh& bvh, const Facets& facets) : bvh_(bvh), facets_(facets) {}
+
+  void build(int faces) {
+    fill_items(faces);
+    bvh_.face_root_.assign(faces + 1, -1);
+    std::vector<Leaf> tops;
+    for (std::size_t begin = 0; begin < order_.size();) {
+      const int face = facets_.face[order_[begin].index];
+      std::size_t end = begin;
+      Box3 box;
+      for (; end < order_.size() && facets_.face[order_[end].index] == face; ++end) box.add(order_[end].box);
+      const std::int32_t root =
+          split(std::span(order_).subspan(begin, end - begin), &FacetBvhBuilder::leaf, 4);
+      bvh_.face_root_[face] = root;
+      tops.push_back({box, box.centre(), static_cast<std::uint32_t>(root)});
+      begin = end;
+    }
+    if (!tops.empty()) bvh_.root_ = split(tops, &FacetBvhBuilder::child, 1);
+  }
+
+ private:
+  struct Leaf {
+    Box3 box;
+    Vec3 centre;
+    std::uint32_t index;  ///< of a triangle, or of a face's root node
+  };
+  using MakeLeaf = std::int32_t (FacetBvhBuilder::*)(std::span<Leaf>);
+
+  void fill_items(int faces) {
+    bvh_.face_grow_.assign(faces + 1, 0.0);
+    for (std::uint32_t i = 0; i < facets_.triangles.size(); ++i) {
+      const auto& t = facets_.triangles[i];
+      Box3 box;
+      for (const auto node : t) box.add(facets_.nodes[node]);
+      const double grow = bvh_.grow_[i];
+      order_.push_back({box.grown(grow), box.centre(), i});
+      double& most = bvh_.face_grow_[facets_.face[i]];
+      most = std::max(most, grow);
+      bvh_.max_grow_ = std::max(bvh_.max_grow_, grow);
+    }
+    std::stable_sort(order_.begin(), order_.end(), [&](const Leaf& a, const Leaf& b) {
+      return facets_.face[a.index] < facets_.face[b.index];
+    });
+    bvh_.items_.reserve(order_.size());
+  }
+
+  std::int32_t leaf(std::span<Leaf> leaves) {
+    const auto first = static_cast<std::int32_t>(bvh_.items_.size());
+    for (const Leaf& l : leaves) {
+      const auto& t = facets_.triangles[l.index];
+      FacetBvh::Item item{facets_.nodes[t[0]], facets_.nodes[t[1]], facets_.nodes[t[2]],
+                          Vec3::Zero(),        bvh_.grow_[l.index], l.index};
+      const Vec3 n = (item.b - item.a).cross(item.c - item.a);
+      if (n.squaredNorm() > 0.0) item.normal = n.normalized();
+      bvh_.items_.push_back(item);
+    }
+    return add_node(leaves, first, -static_cast<std::int32_t>(leaves.size()));
+  }
+
+  std::int32_t child(std::span<Leaf> leaves) { return static_cast<std::int32_t>(leaves[0].index); }
+
+  std::int32_t add_node(std::span<const Leaf> leaves, std::int32_t first, std::int32_t second) {
+    Box3 box;
+    for (const Leaf& l : leaves) box.add(l.box);
+    FacetBvh::Node node;
+    for (int k = 0; k < 3; ++k) {
+      node.lo[k] = round_down(box.lo[k]);
+      node.hi[k] = round_up(box.hi[k]);
+    }
+    node.first = first;
+    node.second = second;
+    bvh_.nodes_.push_back(node);
+    return static_cast<std::int32_t>(bvh_.nodes_.size() - 1);
+  }
+
+  std::int32_t split(std::span<Leaf> leaves, MakeLeaf make_leaf, std::size_t most, int depth = 0) {
+    if (leaves.size() <= most) return (this->*make_leaf)(leaves);
+    // Below this depth halving keeps the traversal stack bounded whatever the input.
+    const std::size_t middle = depth < 40 ? cheapest_cut(leaves) : halve(leaves);
+    const std::int32_t left = split(leaves.first(middle), make_leaf, most, depth + 1);
+    const std::int32_t right = split(leaves.subspan(middle), make_leaf, most, depth + 1);
+    return add_node(leaves, left, right);
+  }
+
+  static int longest_axis(const Box3& box) {
+    const Vec3 s = box.size();
+    return s.x() >= s.y() && s.x() >= s.z() ? 0 : (s.y() >= s.z() ? 1 : 2);
+  }
+
+  static Box3 centres(std::span<const Leaf> leaves) {
+    Box3 box;
+    for (const Leaf& l : leaves) box.add(l.centre);
+    return box;
+  }
+
+  static std::size_t halve(std::span<Leaf> leaves) {
+    const int axis = longest_axis(centres(leaves));
+    const std::size_t middle = leaves.size() / 2;
+    std::nth_element(leaves.begin(), leaves.begin() + static_cast<std::ptrdiff_t>(middle), leaves.end(),
+                     [axis](const Leaf& a, const Leaf& b) {
+                       return a.centre[axis] != b.centre[axis] ? a.centre[axis] < b.centre[axis]
+                                                               : a.index < b.index;
+                     });
+    return middle;
+  }
+
+  static std::size_t cheapest_cut(std::span<Leaf> leaves) {
+    constexpr int kBins = 16;
+    const Box3 spread = centres(leaves);
+    const int axis = longest_axis(spread);
+    const double lo = spread.lo[axis], width = spread.size()[axis];
+    if (!(width > 0.0)) return halve(leaves);
+    const auto bin_of = [&](const Leaf& l) {
+      return std::min(kBins - 1, static_cast<int>(kBins * ((l.centre[axis] - lo) / width)));
+    };
+    std::array<Box3, kBins> boxes;
+    std::array<int, kBins> counts{};
+    for (const Leaf& l : leaves) {
+      boxes[bin_of(l)].add(l.box);
+      ++counts[bin_of(l)];
+    }
+    std::array<double, kBins> right_cost{};
+    Box3 right;
+    for (int b = kBins - 1, n = 0; b > 0; --b) {
+      right.add(boxes[b]);
+      n += counts[b];
+      right_cost[b] = n * half_area(right);
+    }
+    double best = kInfinity;
+    int cut = 1;
+    Box3 left;
+    for (int b = 1, n = 0; b < kBins; ++b) {
+      left.add(boxes[b - 1]);
+      n += counts[b - 1];
+      const double cost = n * half_area(left) + right_cost[b];
+      if (cost < best) {
+        best = cost;
+        cut = b;
+      }
+    }
+    const auto middle =
+        std::stable_partition(leaves.begin(), leaves.end(), [&](const Leaf& l) { return bin_of(l) < cut; });
+    const auto size = static_cast<std::size_t>(middle - leaves.begin());
+    return size == 0 || size == leaves.size() ? halve(leaves) : size;
+  }
+
+  FacetBvh& bvh_;
+  const Facets& facets_;
+  std::vector<Leaf> order_;
+};
+
+FacetBvh::FacetBvh(const Facets& facets, std::span<const double> grow, int faces)
+    : grow_(grow.begin(), grow.end()) {
+  OCTET_CHECK(grow.size() == facets.triangles.size());
+  FacetBvhBuilder(*this, facets).build(faces);
+}
+
+/// Separating axes of a box and a segment given by its middle and half vector: three axes of the box and
+/// three cross products [Ericson 2005, 5.3.3].
+bool FacetBvh::segment_meets(const Node& node, const Vec3& middle, const Vec3& half) {
+  Vec3 c, e;
+  for (int k = 0; k < 3; ++k) {
+    const double lo = node.lo[k], hi = node.hi[k];
+    e[k] = 0.5 * (hi - lo);
+    c[k] = middle[k] - 0.5 * (lo + hi);
+    if (std::abs(c[k]) > e[k] + std::abs(half[k])) return false;
+  }
+  const Vec3 a = half.cwiseAbs();
+  const double slack = 1e-15 * (a.sum() * (c.cwiseAbs().sum() + e.sum()));
+  if (std::abs(c.y() * half.z() - c.z() * half.y()) > e.y() * a.z() + e.z() * a.y() + slack) return false;
+  if (std::abs(c.z() * half.x() - c.x() * half.z()) > e.z() * a.x() + e.x() * a.z() + slack) return false;
+  return std::abs(c.x() * half.y() - c.y() * half.x()) <= e.x() * a.y() + e.y() * a.x() + slack;
+}
+
+bool FacetBvh::segment_meets(const Item& item, const Vec3& p, const Vec3& q) {
+  const double hp = item.normal.dot(p - item.a), hq = item.normal.dot(q - item.a);
+  if ((hp > item.grow && hq > item.grow) || (hp < -item.grow && hq < -item.grow)) return false;
+  for (int k = 0; k < 3; ++k) {
+    if (std::max(p[k], q[k]) + item.grow < std::min({item.a[k], item.b[k], item.c[k]})) return false;
+    if (std::min(p[k], q[k]) - item.grow > std::max({item.a[k], item.b[k], item.c[k]})) return false;
+  }
+  return true;
+}
+
+double FacetBvh::squared_distance(const Node& node, const Vec3& p) {
+  double sum = 0.0;
+  for (int k = 0; k < 3; ++k) {
+    const double d =
+        std::max({static_cast<double>(node.lo[k]) - p[k], p[k] - static_cast<double>(node.hi[k]), 0.0});
+    sum += d * d;
+  }
+  return sum;
+}
+
+FacetFoot FacetBvh::foot(const Item& item, const Vec3& p) {
+  FacetFoot near = closest_on_triangle(p, item.a, item.b, item.c);
+  near.triangle = item.triangle;
+  return near;
+}
+
+bool FacetBvh::meets(const Box3& box) const {
+  if (root_ < 0) return false;
+  const Vec3 centre = box.centre(), half = 0.5 * box.size();
+  Stack stack;
+  stack.push(root_);
+  while (stack.size > 0) {
+    const Node& node = nodes_[stack.pop()];
+    bool apart = false;
+    for (int k = 0; k < 3; ++k) apart |= node.lo[k] > box.hi[k] || node.hi[k] < box.lo[k];
+    if (apart) continue;
+    if (node.second >= 0) {
+      stack.push(node.second);
+      stack.push(node.first);
+      continue;
+    }
+    for (std::int32_t i = node.first; i < node.first - node.second; ++i) {
+      const Item& item = items_[i];
+      Box3 own;
+      own.add(item.a);
+      own.add(item.b);
+      own.add(item.c);
+      const double reach = item.normal.cwiseAbs().dot(half) + item.grow;
+      if (own.grown(item.grow).overlaps(box) && std::abs(item.normal.dot(centre - item.a)) <= reach)
+        return true;
+    }
+  }
+  return false;
+}
+
+std::optional<FacetFoot> FacetBvh::nearest(const Vec3& p, double max_distance, int face) const {
+  const std::int32_t root = root_of(face);
+  if (root < 0) return std::nullopt;
+  FacetFoot best;
+  best.distance = max_distance;
+  bool found = false;
+  double best2 = max_distance < 1e150 ? max_distance * max_distance : kInfinity;
+  struct Entry {
+    std::int32_t node;
+    double d2;
+  };
+  std::array<Entry, 128> stack;
+  int size = 0;
+  stack[size++] = {root, squared_distance(nodes_[root], p)};
+  while (size > 0) {
+    const Entry entry = stack[--size];
+    if (entry.d2 > best2) continue;
+    const Node& node = nodes_[entry.node];
+    if (node.second >= 0) {
+      Entry near{node.first, squared_distance(nodes_[node.first], p)};
+      Entry far{node.second, squared_distance(nodes_[node.second], p)};
+      if (far.d2 < near.d2) std::swap(near, far);
+      if (far.d2 <= best2) stack[size++] = far;
+      if (near.d2 <= best2) stack[size++] = near;
+      continue;
+    }
+    for (std::int32_t i = node.first; i < node.first - node.second; ++i) {
+      const FacetFoot near = foot(items_[i], p);
+      const bool better = near.distance < best.distance ||
+                          (near.distance == best.distance && (!found || near.triangle < best.triangle));
+      if (!better) continue;
+      best = near;
+      best2 = near.distance * near.distance;
+      found = true;
+    }
+  }
+  return found ? std::optional(best) : std::nullopt;
+}
+
+}  // namespace octet

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A box hierarchy over the facets: finds candidates and seeds for the exact queries.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "geom/facets.h"
+
+namespace octet {
+
+/// Nearest point of a facet.
+struct FacetFoot {
+  std::uint32_t triangle = 0;
+  double distance = 0.0;
+  Vec3 point = Vec3::Zero();
+  Vec3 weights = Vec3::Zero();  ///< barycentric, exactly 0 off the interior
+};
+
+/// Closest point of triangle abc to p, by Voronoi regions [Ericson 2005, 5.1.5].
+[[nodiscard]] FacetFoot closest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
+
+/// A flat binary tree. Every face has its own subtree; the upper part joins the faces.
+///
+/// Invariants: each box holds its triangles grown by their `grow`, rounded outward to float; so whatever
+/// exact boundary lies within `grow` of a facet lies in the boxes above that facet.
+/// Cost: 32 bytes a node, 120 bytes a triangle. Immutable, thread-safe.
+class FacetBvh {
+ public:
+  FacetBvh() = default;
+  /// `grow`: per triangle, how far the exact boundary may lie from it. Faces are numbered 1..faces.
+  FacetBvh(const Facets& facets, std::span<const double> grow, int faces);
+
+  /// Calls visit(triangle) for each triangle whose grown box and grown plane meet the segment.
+  template <class Visit>
+  void visit_segment(const Vec3& p, const Vec3& q, const Visit& visit) const;
+  /// Calls visit(foot) for each triangle within `radius` plus its growth; `face` 0 means all.
+  template <class Visit>
+  void visit_within(const Vec3& p, double radius, int face, const Visit& visit) const;
+  /// Whether a triangle's grown box and grown plane meet the box.
+  [[nodiscard]] bool meets(const Box3& box) const;
+  /// Nearest triangle of the face (0: of all), none when farther than `max_distance`. Ties: the lowest
+  /// triangle, up to rounding.
+  [[nodiscard]] std::optional<FacetFoot> nearest(const Vec3& p, double max_distance, int face = 0) const;
+
+  [[nodiscard]] double grow(std::uint32_t triangle) const { return grow_[triangle]; }
+  [[nodiscard]] double max_grow() const { return max_grow_; }
+  [[nodiscard]] double max_grow(int face) const { return face_grow_[face]; }
+
+ private:
+  struct Node {
+    std::array<float, 3> lo, hi;
+    std::int32_t first = 0;   ///< leaf: first item; else left child
+    std::int32_t second = 0;  ///< leaf: -(number of items); else right child
+  };
+  struct Item {
+    Vec3 a, b, c;
+    Vec3 normal;  ///< unit, zero for a degenerate triangle
+    double grow = 0.0;
+    std::uint32_t triangle = 0;
+  };
+  struct Stack {
+    std::array<std::int32_t, 128> node;
+    int size = 0;
+    void push(std::int32_t n) { node[size++] = n; }
+    std::int32_t pop() { return node[--size]; }
+  };
+
+  friend class FacetBvhBuilder;
+  [[nodiscard]] std::int32_t root_of(int face) const { return face == 0 ? root_ : face_root_[face]; }
+  [[nodiscard]] static bool segment_meets(const Node& node, const Vec3& middle, const Vec3& half);
+  [[nodiscard]] static bool segment_meets(const Item& item, const Vec3& p, const Vec3& q);
+  [[nodiscard]] static double squared_distance(const Node& node, const Vec3& p);
+  [[nodiscard]] static FacetFoot foot(const Item& item, const Vec3& p);
+
+  std::vector<Node> nodes_;
+  std::vector<Item> items_;
+  std::vector<std::int32_t> face_root_;  ///< -1: a face without facets
+  std::vector<double> grow_, face_grow_;
+  std::int32_t root_ = -1;
+  double max_grow_ = 0.0;
+};
+
+template <class Visit>
+void FacetBvh::visit_segment(const Vec3& p, const Vec3& q, const Visit& visit) const {
+  if (root_ < 0) return;
+  const Vec3 middle = 0.5 * (p + q), half = 0.5 * (q - p);
+  Stack stack;
+  stack.push(root_);
+  while (stack.size > 0) {
+    const Node& node = nodes_[stack.pop()];
+    if (!segment_meets(node, middle, half)) continue;
+    if (node.second >= 0) {
+      stack.push(node.second);
+      stack.push(node.first);
+      continue;
+    }
+    for (std::int32_t i = node.first; i < node.first - node.second; ++i)
+      if (segment_meets(items_[i], p, q)) visit(items_[i].triangle);
+  }
+}
+
+template <class Visit>
+void FacetBvh::visit_within(const Vec3& p, double radius, int face, const Visit& visit) const {
+  if (root_of(face) < 0) return;
+  const double r2 = radius * radius;
+  Stack stack;
+  stack.push(root_of(face));
+  while (stack.size > 0) {
+    const Node& node = nodes_[stack.pop()];
+    if (squared_distance(node, p) > r2) continue;
+    if (node.second >= 0) {
+      stack.push(node.second);
+      stack.push(node.first);
+      continue;
+    }
+    for (std::int32_t i = node.first; i < node.first - node.second; ++i) {
+      const FacetFoot near = foot(items_[i], p);
+      if (near.distance <= radius + items_[i].grow) visit(near);
+    }
+  }
+}
+
+}  // namespace octet

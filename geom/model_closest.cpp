@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Nearest boundary point and the region of a point.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include "geom/model_data.h"
+
+namespace octet {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+/// One nearest-point query over all faces or one.
+class ClosestQuery {
+ public:
+  ClosestQuery(const Model::Data& data, const Vec3& p, int face) : data_(data), p_(p), face_(face) {}
+
+  std::optional<Foot> run(double max_distance) {
+    const double grow = face_ == 0 ? data_.bvh.max_grow() : data_.bvh.max_grow(face_);
+    const auto nearest = data_.bvh.nearest(p_, max_distance + grow, face_);
+    if (!nearest) return std::nullopt;
+    // Some exact point lies within the facet's growth of it, so the foot is no farther than this.
+    const double reach = nearest->distance + data_.bvh.grow(nearest->triangle);
+    data_.bvh.visit_within(p_, reach, face_, [&](const FacetFoot& f) { near_.push_back(f); });
+    std::sort(near_.begin(), near_.end(), [&](const FacetFoot& a, const FacetFoot& b) {
+      const int fa = face_of(a), fb = face_of(b);
+      if (fa != fb) return fa < fb;
+      return a.distance != b.distance ? a.distance < b.distance : a.triangle < b.triangle;
+    });
+    best_.distance = kInfinity;
+    meet_edges();
+    for (std::size_t begin = 0, end = 0; begin < near_.size(); begin = end) {
+      while (end < near_.size() && face_of(near_[end]) == face_of(near_[begin])) ++end;
+      meet_face(std::span(near_).subspan(begin, end - begin));
+    }
+    if (best_.distance == kInfinity) take_untrimmed(*nearest);
+    if (best_.distance > max_distance) return std::nullopt;
+    if (best_.on.dim == 2) settle_on_edge();
+    if (best_.on.dim == 1) settle_on_vertex(best_.on.tag);
+    return best_;
+  }
+
+ private:
+  [[nodiscard]] int face_of(const FacetFoot& f) const { return data_.facets().face[f.triangle]; }
+
+  [[nodiscard]] double chord_distance(const BorderSide& side, const Vec3& x) const {
+    const Vec3 &a = data_.facets().nodes[side.a], &b = data_.facets().nodes[side.b];
+    const Vec3 e = b - a;
+    const double ee = e.squaredNorm();
+    const double u = ee > 0.0 ? std::clamp((x - a).dot(e) / ee, 0.0, 1.0) : 0.0;
+    return (x - a - u * e).norm();
+  }
+
+  void meet_edges() {
+    struct Nearest {
+      int edge;
+      double distance;
+      const BorderSide* side;
+      std::uint32_t triangle;
+    };
+    std::vector<Nearest> edges;
+    for (const FacetFoot& f : near_)
+      for (const std::int32_t s : data_.border.of_triangle[f.triangle]) {
+        if (s < 0) continue;
+        const BorderSide& side = data_.border.sides[s];
+        const double d = chord_distance(side, p_);
+        const auto known =
+            std::find_if(edges.begin(), edges.end(), [&](const Nearest& n) { return n.edge == side.edge; });
+        if (known == edges.end())
+          edges.push_back({side.edge, d, &side, f.triangle});
+        else if (d < known->distance)
+          *known = {side.edge, d, &side, f.triangle};
+      }
+    std::sort(edges.begin(), edges.end(), [](const Nearest& a, const Nearest& b) { return a.edge < b.edge; });
+    for (const Nearest& n : edges) {
+      if (n.distance - data_.facets().edge_deviation[n.edge] > best_.distance) continue;
+      const Curve& curve = data_.curve(n.edge);
+      const Vec3 x = curve.point(curve.project(p_, n.side->t));
+      const double d = (x - p_).norm();
+      if (d >= best_.distance) continue;
+      best_.point = x;
+      best_.distance = d;
+      best_.on = model_edge(n.edge);
+      set_face(data_.facets().face[n.triangle], n.triangle);
+    }
+  }
+
+  void set_face(int face, std::uint32_t triangle) {
+    best_.face = face;
+    best_.uv = data_.surface(face).project(best_.point, data_.seed(triangle)).uv;
+    best_.normal = data_.normal(face, best_.uv, triangle);
+  }
+
+  /// The foot on the untrimmed surface counts when it lies in the face; the first start that converges
+  /// near its facet is enough.
+  void meet_face(std::span<const FacetFoot> triangles) {
+    const int face = face_of(triangles.front());
+    constexpr std::size_t kStarts = 4;
+    for (std::size_t i = 0; i < std::min(kStarts, triangles.size()); ++i) {
+      const FacetFoot& start = triangles[i];
+      const double grow = data_.bvh.grow(start.triangle);
+      if (start.distance - grow > best_.distance) return;
+      const SurfaceFoot foot = data_.surface(face).project(p_, data_.seed(start.triangle, start.weights));
+      const double d = (foot.point - p_).norm();
+      const bool far_off = !foot.converged || d > start.distance + grow;
+      if (d < best_.distance && data_.parts.trims[face]->side(foot.uv) != TrimSide::kOut) {
+        best_.point = foot.point;
+        best_.distance = d;
+        best_.on = model_face(face);
+        best_.face = face;
+        best_.uv = foot.uv;
+        best_.normal = data_.normal(face, foot.uv, start.triangle);
+      }
+      if (!far_off) return;
+    }
+  }
+
+  /// No face holds its foot and no edge is near: trims and facets disagree (a seam, a pole).
+  void take_untrimmed(const FacetFoot& start) {
+    const int face = face_of(start);
+    const SurfaceFoot foot = data_.surface(face).project(p_, data_.seed(start.triangle, start.weights));
+    best_.point = foot.point;
+    best_.distance = (foot.point - p_).norm();
+    best_.on = model_face(face);
+    best_.face = face;
+    best_.uv = foot.uv;
+    best_.normal = data_.normal(face, foot.uv, start.triangle);
+  }
+
+  void settle_on_edge() {
+    for (const FacetFoot& f : near_) {
+      if (face_of(f) != best_.face) continue;
+      for (int k = 0; k < 3; ++k) {
+        const std::int32_t v = data_.border.node_vertex[data_.facets().triangles[f.triangle][k]];
+        if (v > 0 && settle(v)) return;
+        const std::int32_t s = data_.border.of_triangle[f.triangle][k];
+        if (s < 0) continue;
+        const BorderSide& side = data_.border.sides[s];
+        const double reach = data_.edge_reach(side.edge);
+        if (chord_distance(side, best_.point) > reach + data_.facets().edge_deviation[side.edge]) continue;
+        const Curve& curve = data_.curve(side.edge);
+        const Vec3 x = curve.point(curve.project(best_.point, side.t));
+        if ((x - best_.point).norm() > reach) continue;
+        best_.on = model_edge(side.edge);
+        return;
+      }
+    }
+  }
+
+  void settle_on_vertex(int edge) {
+    for (const int v : data_.parts.edges[edge].vertex)
+      if (settle(v)) return;
+  }
+
+  bool settle(int v) {
+    if ((data_.parts.vertices[v].point - best_.point).norm() > data_.vertex_reach(v)) return false;
+    best_.on = model_vertex(v);
+    return true;
+  }
+
+  const Model::Data& data_;
+  Vec3 p_;
+  int face_;
+  std::vector<FacetFoot> near_;
+  Foot best_;
+};
+
+std::optional<Foot> Model::closest(const Vec3& p, double max_distance) const {
+  return ClosestQuery(*data_, p, 0).run(max_distance);
+}
+
+Foot Model::face_closest(int tag, const Vec3& p) const {
+  const auto foot = ClosestQuery(*data_, p, tag).run(1e100);
+  return foot ? *foot : Foot{};
+}
+
+}  // namespace octet

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a Model holds; for the .cpp files of geom/ only.
+#pragma once
+
+#include "geom/arc_length.h"
+#include "geom/border_sides.h"
+#include "geom/curve_samples.h"
+#include "geom/facet_bvh.h"
+#include "geom/model.h"
+
+namespace octet {
+
+struct Model::Data {
+  ModelParts parts;
+  std::vector<ArcLength> arcs;        ///< per edge; empty for degenerate edges
+  std::vector<CurveSamples> samples;  ///< per edge
+  BorderSides border;
+  FacetBvh bvh;
+  Box3 box;
+  double diagonal = 0.0, tolerance = 0.0;
+
+  [[nodiscard]] const Facets& facets() const { return parts.facets; }
+  [[nodiscard]] const Surface& surface(int face) const { return *parts.surfaces[face]; }
+  [[nodiscard]] const Curve& curve(int edge) const { return *parts.curves[edge]; }
+  [[nodiscard]] double edge_reach(int edge) const { return parts.edges[edge].tolerance + tolerance; }
+  [[nodiscard]] double vertex_reach(int vertex) const { return parts.vertices[vertex].tolerance + tolerance; }
+
+  /// (u,v) at a point of a triangle; linear, so a seed only.
+  [[nodiscard]] Vec2 seed(std::uint32_t triangle, const Vec3& weights) const {
+    const auto& uv = parts.facets.uv[triangle];
+    return weights[0] * uv[0] + weights[1] * uv[1] + weights[2] * uv[2];
+  }
+  [[nodiscard]] Vec2 seed(std::uint32_t triangle) const { return seed(triangle, Vec3::Constant(1.0 / 3.0)); }
+
+  /// Unit normal of the face, towards region[1]; that of the facet where the surface has none.
+  [[nodiscard]] Vec3 normal(int face, const Vec2& uv, std::uint32_t triangle) const;
+  /// Unit normal of the face, zero where the surface has none.
+  [[nodiscard]] Vec3 normal(int face, const Vec2& uv) const {
+    const Vec3 n = parts.surfaces[face]->normal(uv);
+    return parts.faces[face].reversed ? Vec3(-n) : n;
+  }
+  [[nodiscard]] Vec3 facet_normal(std::uint32_t triangle) const;
+  /// Side of a region boundary on which `p` lies.
+  [[nodiscard]] int region_beside(int face, double height) const {
+    return parts.faces[face].region[height > 0.0 ? 1 : 0];
+  }
+};
+
+}  // namespace octet
