@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Grouping by entity keeps the mesh's own numbers as tags, so that a reader gets its order back.
+#include "io/msh_entities.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <set>
+
+namespace octet {
+namespace {
+
+constexpr const char* kKind[4] = {"Vertex", "Edge", "Face", "Solid"};
+constexpr std::size_t kLongestName = 127;  // MSH's limit
+
+/// Cut to `limit` bytes, not within a UTF-8 character.
+std::string shortened(std::string name, std::size_t limit) {
+  if (name.size() <= limit) return name;
+  while (limit > 0 && (static_cast<unsigned char>(name[limit]) & 0xC0) == 0x80) --limit;
+  name.resize(limit);
+  return name;
+}
+
+std::string printable(std::string name) {
+  for (char& c : name) {
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = ' ';
+    if (c == '"') c = '\'';
+  }
+  return name;
+}
+
+std::vector<std::uint32_t>& items_of(ItemsOn& items, ModelRef ref) { return items[ref]; }
+
+/// Adds items 0..n-1 of one dimension. The last entity is kept at hand: neighbours mostly share it.
+template <class EntityOf>
+void add_items(ItemsOn& items, std::size_t n, const EntityOf& entity_of) {
+  ModelRef last;
+  std::vector<std::uint32_t>* list = nullptr;
+  for (std::size_t i = 0; i < n; ++i) {
+    const ModelRef ref = entity_of(static_cast<std::uint32_t>(i));
+    if (list == nullptr || ref != last) {
+      list = &items_of(items, ref);
+      last = ref;
+    }
+    list->push_back(static_cast<std::uint32_t>(i));
+  }
+}
+
+struct EntityBoxes {
+  std::map<ModelRef, Box3> boxes;
+  void add(ModelRef ref, const Vec3& p) { boxes[ref].add(p); }
+};
+
+EntityBoxes mesh_boxes(const Mesh& mesh) {
+  EntityBoxes all;
+  for (const auto& [ref, nodes] : group_nodes(mesh))
+    for (const std::uint32_t v : nodes) all.add(ref, mesh.points[v]);
+  const ElementGroups groups = group_elements(mesh);
+  for (const auto& [ref, items] : groups.items) {
+    Box3& box = all.boxes[ref];
+    std::uint64_t nodes[4];
+    for (const std::uint32_t i : items) {
+      const int n = element_nodes(mesh, groups, ref.dim, i, nodes);
+      for (int k = 0; k < n; ++k) box.add(mesh.points[nodes[k] - 1]);
+    }
+  }
+  return all;
+}
+
+OutlineEntity& entity_in(std::vector<OutlineEntity>& entities, int tag) {
+  const auto at = std::lower_bound(entities.begin(), entities.end(), tag,
+                                   [](const OutlineEntity& e, int t) { return e.tag < t; });
+  if (at != entities.end() && at->tag == tag) return *at;
+  OutlineEntity made;
+  made.tag = tag;
+  return *entities.insert(at, made);
+}
+
+bool exists_in(const std::vector<OutlineEntity>& entities, int tag) {
+  return std::any_of(entities.begin(), entities.end(), [tag](const auto& e) { return e.tag == tag; });
+}
+
+}  // namespace
+
+ModelRef node_entity(const Mesh& mesh, std::uint32_t node) {
+  const ModelRef ref = mesh.point_on[node];
+  return ref.dim >= 0 && ref.dim <= 3 ? ref : ModelRef{3, 0};
+}
+
+ItemsOn group_nodes(const Mesh& mesh) {
+  ItemsOn items;
+  add_items(items, mesh.points.size(), [&](std::uint32_t v) { return node_entity(mesh, v); });
+  return items;
+}
+
+ElementGroups group_elements(const Mesh& mesh) {
+  ElementGroups groups;
+  for (std::uint32_t v = 0; v < mesh.points.size(); ++v)
+    if (node_entity(mesh, v).dim == 0) groups.vertex_nodes.push_back(v);
+  const std::size_t counts[4] = {groups.vertex_nodes.size(), mesh.edges.size(), mesh.triangles.size(),
+                                 mesh.tets.size()};
+  for (int dim = 0; dim < 4; ++dim) {
+    groups.first_tag[dim] = groups.total + 1;
+    groups.total += counts[dim];
+  }
+  add_items(groups.items, counts[0],
+            [&](std::uint32_t i) { return node_entity(mesh, groups.vertex_nodes[i]); });
+  add_items(groups.items, counts[1], [&](std::uint32_t i) { return model_edge(mesh.edge_on[i]); });
+  add_items(groups.items, counts[2], [&](std::uint32_t i) { return model_face(mesh.triangle_on[i]); });
+  add_items(groups.items, counts[3], [&](std::uint32_t i) { return model_region(mesh.tet_in[i]); });
+  return groups;
+}
+
+int element_nodes(const Mesh& mesh, const ElementGroups& groups, int dim, std::uint32_t i,
+                  std::uint64_t nodes[4]) {
+  const auto copy = [nodes](const auto& element) {
+    int n = 0;
+    for (const Mesh::Index v : element) nodes[n++] = std::uint64_t{v} + 1;
+    return n;
+  };
+  switch (dim) {
+    case 0:
+      nodes[0] = std::uint64_t{groups.vertex_nodes[i]} + 1;
+      return 1;
+    case 1:
+      return copy(mesh.edges[i]);
+    case 2:
+      return copy(mesh.triangles[i]);
+    default:
+      return copy(mesh.tets[i]);
+  }
+}
+
+std::map<ModelRef, std::string> physical_names(const ModelOutline& outline) {
+  std::map<std::string, int> uses;
+  for (const auto& entities : outline.entities)
+    for (const auto& e : entities)
+      if (!e.name.empty()) ++uses[shortened(printable(e.name), kLongestName)];
+  std::map<ModelRef, std::string> names;
+  if (uses.empty()) return names;
+  std::set<std::string> taken;
+  for (int dim = 0; dim < 4; ++dim)
+    for (const auto& e : outline.entities[dim]) {
+      if (e.tag <= 0 || (e.name.empty() && dim < 2)) continue;
+      const std::string own = fmt::format("{}{}", kKind[dim], e.tag);
+      std::string name = shortened(printable(e.name), kLongestName);
+      // A name that several entities share gets the entity's own beside it, for readers look groups up by
+      // name.
+      if (name.empty()) {
+        name = own;
+      } else if (uses[name] > 1) {
+        name = shortened(name, kLongestName - own.size() - 1) + " " + own;
+      }
+      while (!taken.insert(name).second) name = shortened(name, kLongestName - own.size() - 1) + " " + own;
+      names[{dim, e.tag}] = name;
+    }
+  return names;
+}
+
+std::string physical_names_section(const std::map<ModelRef, std::string>& names) {
+  if (names.empty()) return {};
+  std::string text = fmt::format("$PhysicalNames\n{}\n", names.size());
+  for (const auto& [ref, name] : names) text += fmt::format("{} {} \"{}\"\n", ref.dim, ref.tag, name);
+  return text + "$EndPhysicalNames\n";
+}
+
+ModelOutline complete_outline(const ModelOutline& outline, const Mesh& mesh) {
+  ModelOutline whole = outline;
+  for (auto& entities : whole.entities)
+    std::sort(entities.begin(), entities.end(), [](const auto& a, const auto& b) { return a.tag < b.tag; });
+  for (const auto& [ref, box] : mesh_boxes(mesh).boxes) {
+    OutlineEntity& e = entity_in(whole.entities[ref.dim], ref.tag);
+    if (e.box.empty()) e.box = box;
+  }
+  for (int dim = 0; dim < 4; ++dim)
+    for (auto& e : whole.entities[dim]) {
+      if (e.box.empty()) e.box = {Vec3::Zero(), Vec3::Zero()};
+      std::erase_if(e.bounded_by,
+                    [&](int tag) { return dim == 0 || !exists_in(whole.entities[dim - 1], std::abs(tag)); });
+    }
+  return whole;
+}
+
+}  // namespace octet

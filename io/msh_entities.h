@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What both MSH writers need: elements and nodes grouped by model entity, and physical groups by name.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "base/model_ref.h"
+#include "base/vec.h"
+#include "mesh/mesh.h"
+#include "mesh/model_outline.h"
+
+namespace octet {
+
+/// Items (nodes or elements of one kind) of each model entity, ascending within it.
+using ItemsOn = std::map<ModelRef, std::vector<std::uint32_t>>;
+[[nodiscard]] ItemsOn group_nodes(const Mesh& mesh);
+/// All elements with their entities; nodes on model vertices are elements of dimension 0.
+struct ElementGroups {
+  std::vector<std::uint32_t> vertex_nodes;  ///< nodes on model vertices, ascending
+  std::uint64_t first_tag[4] = {};          ///< per dimension: tag of element 0
+  std::uint64_t total = 0;
+  ItemsOn items;  ///< indices into vertex_nodes, edges, triangles, tets
+};
+[[nodiscard]] ElementGroups group_elements(const Mesh& mesh);
+
+/// MSH's numbers of linear elements by dimension: point, line, triangle, tetrahedron.
+inline constexpr int kMshType[4] = {15, 1, 2, 4};
+
+/// Nodes of element `i` of a dimension, as tags from 1; returns their count.
+int element_nodes(const Mesh& mesh, const ElementGroups& groups, int dim, std::uint32_t i,
+                  std::uint64_t nodes[4]);
+
+/// Names of the physical groups by entity: every named entity, and, when there is any name, every face and
+/// region (`Face12`, `Solid1`), for readers skip what is in no group once there is a group. Names are unique,
+/// at most 127 bytes, free of quotes and control characters. The number of a group is its entity's tag.
+[[nodiscard]] std::map<ModelRef, std::string> physical_names(const ModelOutline& outline);
+
+/// The $PhysicalNames section, empty when there is none.
+[[nodiscard]] std::string physical_names_section(const std::map<ModelRef, std::string>& names);
+
+/// The outline's entities and those that only the mesh names; boxes the CAD does not give are the mesh's.
+/// Bounding entities that do not exist are dropped.
+[[nodiscard]] ModelOutline complete_outline(const ModelOutline& outline, const Mesh& mesh);
+
+/// A node's entity: those on none count as inside region 0.
+[[nodiscard]] ModelRef node_entity(const Mesh& mesh, std::uint32_t node);
+
+}  // namespace octet

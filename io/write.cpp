@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which format, and which writer.
+#include "io/write.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "base/check.h"
+#include "base/error.h"
+#include "io/msh_write.h"
+#include "io/output_file.h"
+#include "io/vtu_write.h"
+
+namespace octet {
+namespace {
+
+constexpr const char* kNames = "msh, msh41, msh41-ascii, msh22, msh22-ascii, vtu";
+
+std::string lower_case(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+}  // namespace
+
+MeshFormat mesh_format(const std::filesystem::path& path, const std::string& name) {
+  if (!name.empty()) {
+    const std::string wanted = lower_case(name);
+    if (wanted == "msh" || wanted == "msh41") return MeshFormat::kMsh41Binary;
+    if (wanted == "msh41-ascii") return MeshFormat::kMsh41Ascii;
+    if (wanted == "msh22") return MeshFormat::kMsh22Binary;
+    if (wanted == "msh22-ascii") return MeshFormat::kMsh22Ascii;
+    if (wanted == "vtu") return MeshFormat::kVtu;
+    throw InputError(fmt::format("unknown mesh format \"{}\"; known are {}", name, kNames));
+  }
+  const std::string suffix = lower_case(path.extension().string());
+  if (suffix == ".msh") return MeshFormat::kMsh41Binary;
+  if (suffix == ".vtu") return MeshFormat::kVtu;
+  throw InputError(
+      fmt::format("\"{}\" ends in neither .msh nor .vtu: name the format ({})", path.string(), kNames));
+}
+
+void write_mesh(const std::filesystem::path& path, const Mesh& mesh, const ModelOutline& outline,
+                MeshFormat format, const WriteOptions& options) {
+  OCTET_CHECK(mesh.points.size() == mesh.point_on.size() && mesh.edges.size() == mesh.edge_on.size());
+  OCTET_CHECK(mesh.triangles.size() == mesh.triangle_on.size() && mesh.tets.size() == mesh.tet_in.size());
+  OCTET_CHECK(std::isfinite(options.scale) && options.scale > 0.0);
+  OutputFile file(path);
+  switch (format) {
+    case MeshFormat::kMsh41Binary:
+      write_msh41(file, mesh, outline, Encoding::kBinary, options.scale);
+      break;
+    case MeshFormat::kMsh41Ascii:
+      write_msh41(file, mesh, outline, Encoding::kAscii, options.scale);
+      break;
+    case MeshFormat::kMsh22Binary:
+      write_msh22(file, mesh, outline, Encoding::kBinary, options.scale);
+      break;
+    case MeshFormat::kMsh22Ascii:
+      write_msh22(file, mesh, outline, Encoding::kAscii, options.scale);
+      break;
+    case MeshFormat::kVtu:
+      write_vtu(file, mesh, options.scale);
+      break;
+  }
+  file.commit();
+}
+
+}  // namespace octet
