@@ -13,7 +13,9 @@
 #include <cmath>
 #include <initializer_list>
 #include <limits>
+#include <utility>
 
+#include "base/vertex_order.h"
 #include "base/wide_int.h"
 
 namespace octet {
@@ -144,6 +146,73 @@ int insphere_exact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, c
   });
 }
 
+using Four = std::array<const Vec3*, 4>;
+using Five = std::array<const Vec3*, 5>;
+
+// The insphere determinant is linear in the weights of its five points. The coefficient of e's weight is
+// orient3d(a,b,c,d): a heavier e is deeper inside. The determinant changes sign when two of the five points
+// are exchanged, which gives the other four coefficients: minus that orient3d with e in the place of point i.
+Four without(const Five& p, int i) {
+  Four q{p[0], p[1], p[2], p[3]};
+  if (i < 4) q[i] = p[4];
+  return q;
+}
+
+// Sign of the coefficient of point i's weight.
+int weight_sign(const Five& p, int i) {
+  const Four q = without(p, i);
+  const int sign = orient3d(*q[0], *q[1], *q[2], *q[3]);
+  return i < 4 ? -sign : sign;
+}
+
+// Sign of the sum of the coefficients of points i and j.
+int weight_sign(const Five& p, int i, int j) {
+  const Four q = without(p, i), r = without(p, j);
+  double sum = 0, size = 0;
+  bool filtered = true;
+  for (const auto& [f, negative] : {std::pair{q, i < 4}, std::pair{r, j < 4}}) {
+    const std::array<Difference<double>, 3> rows{minus(*f[1], *f[0]), minus(*f[2], *f[0]),
+                                                 minus(*f[3], *f[0])};
+    const Extents m = extents(rows);
+    const double det = orient_determinant(rows[0], rows[1], rows[2]);
+    sum += negative ? -det : det;
+    size += m.x * m.y * m.z;
+    filtered = filtered && (flat(m) || in_range(m));
+  }
+  if (filtered && std::abs(sum) > 1.1 * kOrientError * size) return sign_of(sum);
+  const std::array<Difference<double>, 4> rows{minus(*p[0], *p[4]), minus(*p[1], *p[4]), minus(*p[2], *p[4]),
+                                               minus(*p[3], *p[4])};
+  return with_width({p[0], p[1], p[2], p[3], p[4]}, extents(rows), [&]<int N>(WideInt<N>, int lowest) {
+    const auto exact = [&](const Four& f, bool negative) {
+      const auto b = exact_minus<N>(*f[1], *f[0], lowest), c = exact_minus<N>(*f[2], *f[0], lowest),
+                 d = exact_minus<N>(*f[3], *f[0], lowest);
+      return negative ? orient_determinant(c, b, d) : orient_determinant(b, c, d);
+    };
+    return (exact(q, i < 4) + exact(r, j < 4)).sign();
+  });
+}
+
+// Sign of the sum of the coefficients of points order[first..end). All five sum to zero: equal weights change
+// nothing, and three or four points are minus the others.
+int class_sign(const Five& p, const std::array<int, 5>& order, int first, int end) {
+  int rest[5], n = 0;
+  for (int k = 0; k < 5; ++k) {
+    if (k < first || k >= end) rest[n++] = order[k];
+  }
+  switch (end - first) {
+    case 1:
+      return weight_sign(p, order[first]);
+    case 2:
+      return weight_sign(p, order[first], order[first + 1]);
+    case 3:
+      return -weight_sign(p, rest[0], rest[1]);
+    case 4:
+      return -weight_sign(p, rest[0]);
+    default:
+      return 0;
+  }
+}
+
 }  // namespace
 
 int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
@@ -171,32 +240,17 @@ int insphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const V
 
 int insphere_by_rank(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e,
                      const std::uint64_t rank[5]) {
-  // The determinant is linear in the weights. Its coefficient of e's weight is orient3d(a,b,c,d): a heavier e
-  // is deeper inside. It changes sign when two of the five points are exchanged, which gives the other four.
-  bool tried[5] = {};
-  for (int round = 0; round < 5; ++round) {
-    int heaviest = -1;
-    for (int i = 0; i < 5; ++i) {
-      if (!tried[i] && (heaviest < 0 || rank[i] > rank[heaviest])) heaviest = i;
-    }
-    tried[heaviest] = true;
-    int sign = 0;
-    switch (heaviest) {
-      case 0:
-        sign = -orient3d(e, b, c, d);
-        break;
-      case 1:
-        sign = -orient3d(a, e, c, d);
-        break;
-      case 2:
-        sign = -orient3d(a, b, e, d);
-        break;
-      case 3:
-        sign = -orient3d(a, b, c, e);
-        break;
-      default:
-        sign = orient3d(a, b, c, d);
-    }
+  const Five points{&a, &b, &c, &d, &e};
+  std::array<int, 5> order{0, 1, 2, 3, 4};  // the heaviest first
+  std::sort(order.begin(), order.end(), [&](int i, int j) { return rank[i] > rank[j]; });
+  const auto class_of = [&](int k) { return rank[order[k]] >> kRankClassShift; };
+  for (int first = 0, end; first < 5; first = end) {
+    for (end = first + 1; end < 5 && class_of(end) == class_of(first);) ++end;
+    const int sign = class_sign(points, order, first, end);
+    if (sign != 0) return sign;
+  }
+  for (const int i : order) {
+    const int sign = weight_sign(points, i);
     if (sign != 0) return sign;
   }
   return 0;

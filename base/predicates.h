@@ -17,9 +17,11 @@ namespace octet {
 /// For a positive tetrahedron abcd: +1 when e lies strictly inside its circumsphere, 0 on it, -1 outside.
 [[nodiscard]] int insphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e);
 
-/// Like `insphere`, ties broken by vanishing weights: the point of largest rank has the largest weight.
-/// Never 0 for distinct ranks and orient3d(a,b,c,d) != 0. The regular triangulation it defines is unique.
-/// Laws: the sign changes under an odd permutation of a,b,c,d; equals insphere() where that is not 0.
+/// Like `insphere`, ties broken by vanishing weights that the ranks give (base/vertex_order.h): first a
+/// weight common to all points of a class, a larger class outweighing all smaller ones; where that leaves a
+/// tie, a weight for each point, the largest rank outweighing all others. Never 0 for distinct ranks and
+/// orient3d(a,b,c,d) != 0. The regular triangulation it defines is unique. Laws: the sign changes under an
+/// odd permutation of a,b,c,d; equals insphere() where that is not 0.
 [[nodiscard]] int insphere_ranked(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e,
                                   const std::uint64_t rank[5]);
 

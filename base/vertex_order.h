@@ -2,6 +2,7 @@
 // The one symbolic order of all points that breaks every tie of the Delaunay triangulation.
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 
@@ -10,20 +11,31 @@ namespace octet {
 /// Levels below the root of the finest lattice of octree vertices; coordinates are 0..2^kLatticeLevels.
 inline constexpr int kLatticeLevels = 18;
 
-/// Rank of an octree vertex at lattice coordinates (i, j, k), each in 0..2^kLatticeLevels, whose finest
-/// terminal octant has level `finest_level` (root = 0): 2*level + whether an odd number of its
-/// coordinates at that level are odd, then the coordinates. A larger rank is a larger symbolic weight.
-/// It yields alternating diagonals, five tetrahedra in every plain octant (docs/ARCHITECTURE.md).
-/// All octree vertices rank above all other points.
-[[nodiscard]] constexpr std::uint64_t octree_vertex_rank(int finest_level, std::uint32_t i, std::uint32_t j,
-                                                         std::uint32_t k) {
-  const int shift = kLatticeLevels - finest_level;
+/// Ranks with the same bits from here up are of one class: equal weights, so long as that decides.
+inline constexpr int kRankClassShift = 57;
+
+/// Rank of an octree vertex at lattice coordinates (i, j, k), each in 0..2^kLatticeLevels. Its class is
+/// 2*level + parity, where `level` is the coarsest level whose lattice holds the vertex (root = 0) and
+/// `parity` is whether an odd number of its coordinates at that level are odd; within a class come the
+/// coordinates. A larger class is a larger symbolic weight. The four corners of an octant that are odd at its
+/// level then outweigh the other four, equally: alternating diagonals, five tetrahedra in every plain octant,
+/// whatever its neighbours are (docs/ARCHITECTURE.md). The rank depends on the place alone, so it outlives
+/// refinement. All octree vertices rank above all other points.
+[[nodiscard]] constexpr std::uint64_t octree_vertex_rank(std::uint32_t i, std::uint32_t j, std::uint32_t k) {
+  const std::uint32_t any = i | j | k;
+  const int shift = any == 0 ? kLatticeLevels : std::min(kLatticeLevels, std::countr_zero(any));
   const std::uint64_t parity = ((i >> shift) ^ (j >> shift) ^ (k >> shift)) & 1u;
-  const std::uint64_t head = 2u * static_cast<std::uint64_t>(finest_level) + parity;
+  const std::uint64_t head = 2u * static_cast<std::uint64_t>(kLatticeLevels - shift) + parity;
   constexpr int kBits = kLatticeLevels + 1;
-  static_assert(3 * kBits + 6 <= 63);
-  return (std::uint64_t{1} << 63) | (head << (3 * kBits)) | (std::uint64_t{i} << (2 * kBits)) |
+  static_assert(3 * kBits <= kRankClassShift && 2 * kLatticeLevels + 1 < 64);
+  return (std::uint64_t{1} << 63) | (head << kRankClassShift) | (std::uint64_t{i} << (2 * kBits)) |
          (std::uint64_t{j} << kBits) | k;
+}
+
+/// The same; the level of the octants around the vertex has no say.
+[[nodiscard]] constexpr std::uint64_t octree_vertex_rank(int /*finest_level*/, std::uint32_t i,
+                                                         std::uint32_t j, std::uint32_t k) {
+  return octree_vertex_rank(i, j, k);
 }
 
 /// Rank of the n-th point that is not an octree vertex.

@@ -11,6 +11,7 @@
 #include <random>
 #include <vector>
 
+#include "base/vertex_order.h"
 #include "tests/support/big_integer.h"
 
 namespace octet {
@@ -193,6 +194,15 @@ TEST(Predicates, Orient3dChangesSignUnderEveryExchange) {
 // Distinct points, not coplanar in the first four, with distinct ranks.
 bool usable(const Five& p) { return orient(p) != 0; }
 
+// A random order of ranks in one, two or three classes.
+Ranks random_ranks(Random& random) {
+  Ranks rank{1, 2, 3, 4, 5};
+  for (int i = 4; i > 0; --i) std::swap(rank[i], rank[random.integer(i + 1)]);
+  const int classes = 1 + random.integer(3);
+  for (auto& r : rank) r |= static_cast<std::uint64_t>(random.integer(classes)) << kRankClassShift;
+  return rank;
+}
+
 TEST(Predicates, RankedEqualsInsphereWhereThatIsNotZero) {
   Random random(7);
   Ranks rank{5, 3, 9, 1, 7};
@@ -210,8 +220,7 @@ TEST(Predicates, RankedIsNeverZeroAndChangesSignUnderEveryExchange) {
     const Five p = random.lattice(3, 0.1);
     if (!usable(p)) continue;
     ties += sphere(p) == 0 ? 1 : 0;
-    Ranks rank{1, 2, 3, 4, 5};
-    for (int i = 4; i > 0; --i) std::swap(rank[i], rank[random.integer(i + 1)]);
+    const Ranks rank = random_ranks(random);
     const int sign = ranked(p, rank);
     ASSERT_NE(sign, 0);
     for (int i = 0; i < 4; ++i) {
@@ -237,18 +246,25 @@ TEST(Predicates, RankedIsNeverZeroAndChangesSignUnderEveryExchange) {
   EXPECT_GT(ties, 300);
 }
 
-// The sign with real weights 2^-(20 + 40 k), k counting the ranks from the largest: exact in big integers.
+int heavier(const Ranks& rank, std::uint64_t than) {
+  return static_cast<int>(std::count_if(rank.begin(), rank.end(), [&](std::uint64_t r) { return r > than; }));
+}
+
+// The sign with real weights instead of vanishing ones: 2^-(20 + 40 n) for a class that n points outweigh,
+// and 2^-(220 + 40 n) for a point that n points outrank. Exact in big integers.
 int judge_weighted(const Five& p, const Ranks& rank) {
-  const int low = -200;
+  const int low = -460;
+  Ranks classes{};
+  for (int i = 0; i < 5; ++i) classes[i] = rank[i] >> kRankClassShift;
+  const auto integer = [](double v) { return BigInteger::scaled(v, 0); };
   std::vector<std::vector<BigInteger>> m;
   for (int i = 0; i < 5; ++i) {
-    int place = 0;
-    for (int j = 0; j < 5; ++j) place += rank[j] > rank[i] ? 1 : 0;
-    const auto integer = [](double v) { return BigInteger::scaled(v, 0); };
+    const double common = std::ldexp(1.0, -20 - 40 * heavier(classes, classes[i]));
+    const double own = std::ldexp(1.0, -220 - 40 * heavier(rank, rank[i]));
     const Vec3& q = p[i];
     // In units of 2^low for the lifted column only: a column's factor does not change the sign.
-    const BigInteger lift = BigInteger::scaled(q.squaredNorm(), low) +
-                            -BigInteger::scaled(std::ldexp(1.0, -20 - 40 * place), low);
+    const BigInteger lift = BigInteger::scaled(q.squaredNorm(), low) + -BigInteger::scaled(common, low) +
+                            -BigInteger::scaled(own, low);
     m.push_back({integer(q.x()), integer(q.y()), integer(q.z()), lift, integer(1)});
   }
   return -determinant_sign(m);
@@ -257,18 +273,17 @@ int judge_weighted(const Five& p, const Ranks& rank) {
 TEST(Predicates, RankedIsTheLimitOfVanishingWeights) {
   Random random(9);
   int ties = 0;
-  for (int n = 0; n < 1500; ++n) {
-    const Five p = random.lattice(3, 1.0);
+  for (int n = 0; n < 6000; ++n) {
+    const Five p = random.lattice(n % 2 == 0 ? 3 : 2, 1.0);
     if (!usable(p) || sphere(p) != 0) continue;
     bool distinct = true;
     for (int i = 0; i < 4; ++i) distinct = distinct && p[i] != p[4];
     if (!distinct) continue;
     ++ties;
-    Ranks rank{1, 2, 3, 4, 5};
-    for (int i = 4; i > 0; --i) std::swap(rank[i], rank[random.integer(i + 1)]);
+    const Ranks rank = random_ranks(random);
     ASSERT_EQ(ranked(p, rank), judge_weighted(p, rank));
   }
-  EXPECT_GT(ties, 50);
+  EXPECT_GT(ties, 500);
 }
 
 }  // namespace

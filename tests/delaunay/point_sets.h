@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/vec.h"
+#include "base/vertex_order.h"
 #include "delaunay/triangulation.h"
 
 namespace octet::testing {
@@ -48,7 +49,7 @@ inline RankedPoints random_points(std::size_t n, Engine& engine) {
   return set;
 }
 
-/// The full lattice of nx*ny*nz points, ranks shuffled.
+/// The full lattice of nx*ny*nz points, ranks shuffled and drawn from three classes.
 inline RankedPoints lattice_points(int nx, int ny, int nz, double unit, Engine& engine) {
   RankedPoints set;
   for (int k = 0; k < nz; ++k) {
@@ -57,7 +58,8 @@ inline RankedPoints lattice_points(int nx, int ny, int nz, double unit, Engine& 
     }
   }
   const auto order = shuffled(set.size(), engine);
-  for (std::size_t i = 0; i < set.size(); ++i) set.ranks[i] = order[i];
+  for (std::size_t i = 0; i < set.size(); ++i)
+    set.ranks[i] = (std::uint64_t{below(engine, 3)} << kRankClassShift) | order[i];
   return set;
 }
 

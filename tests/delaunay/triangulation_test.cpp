@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/predicates.h"
+#include "tests/delaunay/balanced_octree.h"
 #include "tests/delaunay/point_sets.h"
 
 namespace octet {
@@ -151,6 +152,27 @@ TEST(Triangulation, IsTheSameForEveryOrderOfMixedPoints) {
   for (int n = 0; n < 4; ++n) expect_unique(mixed_points(6, engine), engine);
 }
 
+TEST(Triangulation, IsTheSameForEveryOrderOfOctreeVertices) {
+  for (unsigned seed = 1; seed < 5; ++seed) {
+    Engine engine(seed);
+    expect_unique(BalancedOctree(1, 4, 0.3, engine).vertices(), engine);
+  }
+}
+
+TEST(Triangulation, IsTheSameForEveryOrderOfOctreeVerticesAndFreePoints) {
+  for (unsigned seed = 1; seed < 5; ++seed) {
+    Engine engine(seed);
+    RankedPoints set = BalancedOctree(1, 4, 0.3, engine).vertices();
+    for (std::uint64_t n = 0; n < 300; ++n) {
+      Vec3 p(real(engine), real(engine), real(engine));
+      if (n % 2 == 0) p.x() = 0.375;  // many cospherical and coplanar with vertices
+      if (n % 4 == 0) p.y() = 0.5;
+      set.add(p, free_point_rank(n));
+    }
+    expect_unique(set, engine);
+  }
+}
+
 TEST(Triangulation, IsTheSameForEveryOrderOfCosphericalPoints) {
   // Integer points on the sphere of radius 15 about the origin, and the origin.
   Engine engine(7);
@@ -181,17 +203,31 @@ TEST(Triangulation, RanksDecideTheDiagonals) {
   EXPECT_GT(seen.size(), 4u);
 }
 
+RankedPoints cube(const std::array<std::uint64_t, 8>& ranks) {
+  RankedPoints set;
+  for (int c = 0; c < 8; ++c) set.add(Vec3(c & 1, c >> 1 & 1, c >> 2), ranks[c]);
+  return set;
+}
+
 TEST(Triangulation, AHeavyCornerOfACubeJoinsToAll) {
   // The heaviest point is in every conflict: all cells of the cube have it.
-  Engine engine(9);
-  for (int n = 0; n < 20; ++n) {
-    const RankedPoints set = lattice_points(2, 2, 2, 1.0, engine);
-    const auto heaviest =
-        static_cast<std::uint32_t>(std::max_element(set.ranks.begin(), set.ranks.end()) - set.ranks.begin());
-    for (const auto& t : tet_set(triangulate(set))) {
-      ASSERT_NE(std::find(t.begin(), t.end(), heaviest), t.end());
+  for (std::uint64_t h = 0; h < 8; ++h) {
+    const TetSet tets = tet_set(triangulate(cube({h, h ^ 1, h ^ 2, h ^ 3, h ^ 4, h ^ 5, h ^ 6, h ^ 7})));
+    EXPECT_EQ(tets.size(), 6u);
+    for (const auto& t : tets) {
+      ASSERT_NE(std::find(t.begin(), t.end(), static_cast<std::uint32_t>(h ^ 7)), t.end());
     }
   }
+}
+
+TEST(Triangulation, AlternatingHeavyCornersOfACubeMakeFiveTetrahedra) {
+  constexpr std::uint64_t kHeavy = std::uint64_t{1} << kRankClassShift;
+  const TetSet tets =
+      tet_set(triangulate(cube({0, kHeavy + 1, kHeavy + 2, 3, kHeavy + 4, 5, 6, kHeavy + 7})));
+  EXPECT_EQ(tets.size(), 5u);
+  EXPECT_EQ(std::count(tets.begin(), tets.end(), canonical({1, 2, 7, 4})) +
+                std::count(tets.begin(), tets.end(), canonical({1, 2, 4, 7})),
+            1);
 }
 
 TEST(Triangulation, ConflictsAreWhatInsertRemoves) {
