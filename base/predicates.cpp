@@ -15,8 +15,8 @@
 #include <limits>
 #include <utility>
 
+#include "base/exact_difference.h"
 #include "base/vertex_order.h"
-#include "base/wide_int.h"
 
 namespace octet {
 namespace {
@@ -32,11 +32,6 @@ constexpr double kSmallest = 1e-55, kLargest = 1e60;
 
 struct Extents {
   double x, y, z;
-};
-
-template <class T>
-struct Difference {
-  T x, y, z;
 };
 
 template <class T>
@@ -91,55 +86,16 @@ bool in_range(const Extents& m) {
 
 int sign_of(double x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
 
-// Exponent of the lowest bit that is set in any coordinate.
-int lowest_exponent(std::initializer_list<const Vec3*> points) {
-  int lowest = std::numeric_limits<int>::max();
-  for (const Vec3* p : points) {
-    for (int k = 0; k < 3; ++k) {
-      const auto bits = std::bit_cast<std::uint64_t>((*p)[k]);
-      const int biased = static_cast<int>((bits >> 52) & 0x7ff);
-      std::uint64_t mantissa = bits & ((std::uint64_t{1} << 52) - 1);
-      if (biased != 0) mantissa |= std::uint64_t{1} << 52;
-      if (mantissa == 0) continue;
-      lowest = std::min(lowest, (biased == 0 ? 1 : biased) - 1075 + std::countr_zero(mantissa));
-    }
-  }
-  return lowest;
-}
-
-// Calls f(WideInt<N>, lowest) with N wide enough for differences of the points, which are below 2^bits units.
-// A difference may use 64 N - 2 bits: the sums in the determinants then stay below their sign bit.
-template <class F>
-int with_width(std::initializer_list<const Vec3*> points, const Extents& m, const F& f) {
-  const double largest = std::max({m.x, m.y, m.z});
-  const int lowest = lowest_exponent(points);
-  const int top = std::isfinite(largest) ? std::ilogb(largest) + 2 : 1026;
-  const int bits = top - lowest;
-  if (bits <= 62) return f(WideInt<1>(), lowest);
-  if (bits <= 126) return f(WideInt<2>(), lowest);
-  if (bits <= 318) return f(WideInt<5>(), lowest);
-  return f(WideInt<33>(), lowest);
-}
-
-template <int N>
-Difference<WideInt<N>> exact_minus(const Vec3& a, const Vec3& b, int lowest) {
-  using W = WideInt<N>;
-  return {W::from_scaled(a.x(), lowest) - W::from_scaled(b.x(), lowest),
-          W::from_scaled(a.y(), lowest) - W::from_scaled(b.y(), lowest),
-          W::from_scaled(a.z(), lowest) - W::from_scaled(b.z(), lowest)};
-}
-
-int orient3d_exact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Extents& m) {
-  return with_width({&a, &b, &c, &d}, m, [&]<int N>(WideInt<N>, int lowest) {
+int orient3d_exact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  return with_exact_width({&a, &b, &c, &d}, [&]<int N>(WideInt<N>, int lowest) {
     return orient_determinant(exact_minus<N>(b, a, lowest), exact_minus<N>(c, a, lowest),
                               exact_minus<N>(d, a, lowest))
         .sign();
   });
 }
 
-int insphere_exact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e,
-                   const Extents& m) {
-  return with_width({&a, &b, &c, &d, &e}, m, [&]<int N>(WideInt<N>, int lowest) {
+int insphere_exact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e) {
+  return with_exact_width({&a, &b, &c, &d, &e}, [&]<int N>(WideInt<N>, int lowest) {
     return insphere_determinant(exact_minus<N>(a, e, lowest), exact_minus<N>(b, e, lowest),
                                 exact_minus<N>(c, e, lowest), exact_minus<N>(d, e, lowest))
         .sign();
@@ -180,9 +136,7 @@ int weight_sign(const Five& p, int i, int j) {
     filtered = filtered && (flat(m) || in_range(m));
   }
   if (filtered && std::abs(sum) > 1.1 * kOrientError * size) return sign_of(sum);
-  const std::array<Difference<double>, 4> rows{minus(*p[0], *p[4]), minus(*p[1], *p[4]), minus(*p[2], *p[4]),
-                                               minus(*p[3], *p[4])};
-  return with_width({p[0], p[1], p[2], p[3], p[4]}, extents(rows), [&]<int N>(WideInt<N>, int lowest) {
+  return with_exact_width({p[0], p[1], p[2], p[3], p[4]}, [&]<int N>(WideInt<N>, int lowest) {
     const auto exact = [&](const Four& f, bool negative) {
       const auto b = exact_minus<N>(*f[1], *f[0], lowest), c = exact_minus<N>(*f[2], *f[0], lowest),
                  d = exact_minus<N>(*f[3], *f[0], lowest);
@@ -223,7 +177,7 @@ int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
     const double det = orient_determinant(rows[0], rows[1], rows[2]);
     if (std::abs(det) > kOrientError * (m.x * m.y * m.z)) return sign_of(det);
   }
-  return orient3d_exact(a, b, c, d, m);
+  return orient3d_exact(a, b, c, d);
 }
 
 int insphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e) {
@@ -235,7 +189,7 @@ int insphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const V
     const double top = std::max({m.x, m.y, m.z});
     if (std::abs(det) > kInsphereError * (m.x * m.y * m.z) * (top * top)) return sign_of(det);
   }
-  return insphere_exact(a, b, c, d, e, m);
+  return insphere_exact(a, b, c, d, e);
 }
 
 int insphere_by_rank(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e,
