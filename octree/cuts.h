@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The exact cuts of octant edges with model faces, and of model edges with octant planes.
+// The exact cuts of octant edges with the model's boundary.
 #pragma once
 
 #include <cstdint>
@@ -16,10 +16,11 @@ struct OctantEdgeCut {
   Hit hit;
 };
 
-/// All cuts of the edges of boundary octants, sorted by (from, to, t). Long edges that a hanging vertex
-/// splits are cut by their halves only.
+/// All cuts of the edges of boundary octants, sorted by (from, to, t) [Handbook 15.5.2.2]. Long edges that a
+/// hanging vertex splits are cut by their halves only. Edges are cut in parallel, and told in their own
+/// order.
 [[nodiscard]] std::vector<OctantEdgeCut> cut_octant_edges(const Model& model, const Octree& tree,
                                                           const OctreeVertices& vertices,
-                                                          const OctreeLabels& labels);
+                                                          const OctantTypes& types);
 
 }  // namespace octet

@@ -1,30 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What each octant and each octree vertex is: in a region, outside, or on the boundary.
+// What each octree vertex is: in which region, or outside.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
 #include "base/fault.h"
+#include "octree/octant_types.h"
 #include "octree/vertices.h"
 
 namespace octet {
 
-enum class OctantType : std::int8_t { kOut, kIn, kBoundary };
+struct OctantEdgeCut;
 
-/// Invariant: where an octant edge has no cut, its two ends have the same region.
-struct OctreeLabels {
-  std::vector<OctantType> type;             ///< per octant
-  std::vector<std::int32_t> region;         ///< per octant: region tag when kIn, else 0
+/// Invariant: where an octant edge has no cut, its two ends have the same region, but for `conflicts`.
+struct OctreeLabels : OctantTypes {
   std::vector<std::int32_t> vertex_region;  ///< per octree vertex: region tag, 0 outside
   std::vector<Fault>
       conflicts;  ///< parity conflicts: places where cuts and labels disagree (a defect to be found)
 };
 
-/// Types by the model's facets, regions by flood fill over octants that the boundary does not meet, one exact
-/// query a connected component; labels of the vertices of boundary octants by parity along octant edges from
-/// labelled ones, exact query where no path leads [Schroeder & Shephard 1990, "Tree building"].
-[[nodiscard]] OctreeLabels label_octree(const Model& model, const Octree& tree,
-                                        const OctreeVertices& vertices);
+/// Vertices of octants off the boundary take their octants' regions; from there regions spread along the
+/// edges of boundary octants, changed by each cut as the cut face's regions say [Schroeder & Shephard 1990,
+/// "Tree building"]. Tangent, coincident and end-point events and events on model edges and vertices say
+/// nothing about parity: no path leads along such an edge. Vertices that no path reaches are asked for
+/// exactly. Where an edge's cuts disagree with the regions of its ends, a Fault is told and both ends are
+/// asked for exactly. `cuts` are those of cut_octant_edges() with the same arguments.
+[[nodiscard]] OctreeLabels label_vertices(const Model& model, const Octree& tree,
+                                          const OctreeVertices& vertices, const OctantTypes& types,
+                                          const std::vector<OctantEdgeCut>& cuts);
 
 }  // namespace octet

@@ -2,12 +2,17 @@
 // The vertices of an octree: each lattice point that is a corner of a terminal octant, once.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "octree/octree.h"
 
 namespace octet {
+
+/// No vertex there.
+inline constexpr std::uint32_t kNoVertex = std::numeric_limits<std::uint32_t>::max();
 
 /// Sorted by (Morton key of the lattice point); `finest_level` is that of the finest terminal octant that has
 /// the vertex as a corner, which is the level octree_vertex_rank() wants.
@@ -17,13 +22,20 @@ struct OctreeVertices {
   std::vector<std::array<std::uint32_t, 8>> corners;  ///< per octant: its corners' vertex numbers, x fastest
 
   [[nodiscard]] std::size_t size() const { return at.size(); }
-  /// Number of the vertex at `p`, or UINT32_MAX.
+  /// Number of the vertex at `p`, or UINT32_MAX. O(log n).
   [[nodiscard]] std::uint32_t find(const Lattice& p) const;
   [[nodiscard]] std::uint64_t rank(std::uint32_t v) const {
     return octree_vertex_rank(finest_level[v], at[v][0], at[v][1], at[v][2]);
   }
 };
 
+/// Cost: O(n) where the tree is uniform; only hanging vertices and those on the root's far faces are sorted.
 [[nodiscard]] OctreeVertices octree_vertices(const Octree& tree);
+
+/// The vertices on the 3x3x3 lattice of an octant, x fastest: its corners, and the hanging vertices on its
+/// edges and faces; kNoVertex elsewhere (always in the centre). Constant time where nothing hangs.
+using OctantLattice = std::array<std::uint32_t, 27>;
+[[nodiscard]] OctantLattice octant_lattice(const Octree& tree, const OctreeVertices& vertices,
+                                           OctantId octant);
 
 }  // namespace octet

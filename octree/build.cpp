@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Refinement against the model and the size samples.
+#include <fmt/format.h>
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "octree/balance.h"
+#include "octree/octree.h"
+
+namespace octet {
+namespace {
+
+/// Lengths this much above a wish still meet it: it covers the rounding of the root.
+constexpr double kSizeSlack = 1.0 + 1e-6;
+
+[[noreturn]] void throw_too_many(double octants, const OctreeRequest& request) {
+  // Octants go with the third power of the size inside and the second on the boundary; the cube root errs
+  // on the side of too small a size, and rounding up to two digits makes up for it.
+  const double factor = std::cbrt(octants / static_cast<double>(request.max_octants));
+  throw LimitError(
+      fmt::format("a size of {:g} needs more than {:.2g} octants, the limit is {}: ask for about {:.2g}",
+                  request.size, octants, request.max_octants, request.size * factor * 1.05));
+}
+
+/// Every part of the inside lies in an octant no larger than h: the volume alone is a lower bound.
+void check_volume(const Model& model, const OctreeRequest& request) {
+  double volume = 0.0;
+  for (int tag = 1; tag <= model.count(3); ++tag) volume += model.region(tag).volume;
+  const double least = volume / (request.size * request.size * request.size);
+  if (least > static_cast<double>(request.max_octants)) throw_too_many(least, request);
+}
+
+void check_count(const SplitKeys& splits, const OctreeRequest& request) {
+  const std::size_t count = splits.terminal_count();
+  if (count > request.max_octants) throw_too_many(static_cast<double>(count), request);
+}
+
+enum class Place : std::uint8_t { kOutside, kInside, kBoundary };
+
+/// Where octants of one level lie, each by itself: the answer does not depend on the threads.
+std::vector<Place> places(const Model& model, const Root& root, const std::vector<MortonKey>& keys,
+                          int level) {
+  std::vector<Place> result(keys.size());
+  tbb::parallel_for(std::size_t{0}, keys.size(), [&](std::size_t i) {
+    const Box3 box = root.box(octant_of(keys[i], level));
+    if (model.near_boundary(box)) {
+      result[i] = Place::kBoundary;
+    } else {
+      result[i] = model.region_at(box.centre()) != 0 ? Place::kInside : Place::kOutside;
+    }
+  });
+  return result;
+}
+
+/// Splits all octants under `key` (of level `level`) from its own level down to `last`.
+void split_whole(SplitKeys& splits, MortonKey key, int level, int last) {
+  for (int l = level; l <= last; ++l) {
+    const int shift = 3 * (l - level);
+    for (MortonKey k = key << shift; k < (key + 1) << shift; ++k) splits.at[l].push_back(k);
+  }
+}
+
+/// Octants that meet the inside or the boundary are split until they have level `finest`. Those wholly inside
+/// need no more queries, those outside stay.
+SplitKeys split_for_model(const Model& model, const PlacedRoot& placed, const OctreeRequest& request) {
+  SplitKeys splits;
+  std::vector<MortonKey> boundary{0};
+  for (int level = 0; level < placed.level; ++level) {
+    splits.at[level].insert(splits.at[level].end(), boundary.begin(), boundary.end());
+    check_count(splits, request);
+    if (level + 1 == placed.level) break;
+    std::vector<MortonKey> children;
+    children.reserve(8 * boundary.size());
+    for (const MortonKey key : boundary) {
+      for (MortonKey child = 0; child < 8; ++child) children.push_back(key << 3 | child);
+    }
+    const std::vector<Place> place = places(model, placed.root, children, level + 1);
+    boundary.clear();
+    for (std::size_t i = 0; i < children.size(); ++i) {
+      if (place[i] == Place::kBoundary) boundary.push_back(children[i]);
+      if (place[i] == Place::kInside) split_whole(splits, children[i], level + 1, placed.level - 1);
+    }
+  }
+  return splits;
+}
+
+/// Only the last octant to be split is named: its ancestors follow from the balance.
+void split_for_samples(SplitKeys& splits, const Root& root, std::span<const SizeSample> samples) {
+  for (const SizeSample& sample : samples) {
+    if (!(sample.size > 0.0)) throw InputError("a size sample must be a positive number");
+    int level = 0;
+    while (level <= kLatticeLevels && root.length(level) > sample.size * kSizeSlack) ++level;
+    if (level > kLatticeLevels) {
+      throw LimitError(fmt::format(
+          "a local size of {:g} at ({:g}, {:g}, {:g}) is too small: the finest octants have length {:g}, set "
+          "a larger "
+          "minimum size",
+          sample.size, sample.place.x(), sample.place.y(), sample.place.z(), root.length(kLatticeLevels)));
+    }
+    if (level == 0) continue;
+    const MortonKey cell = morton_key(root.cell_of(sample.place));
+    splits.at[level - 1].push_back(cell >> (3 * (kLatticeLevels - level + 1)));
+  }
+}
+
+}  // namespace
+
+Octree build_octree(const Model& model, const OctreeRequest& request, std::span<const SizeSample> samples) {
+  const PlacedRoot placed = place_root(model.box(), request.size);
+  check_volume(model, request);
+  SplitKeys splits = split_for_model(model, placed, request);
+  split_for_samples(splits, placed.root, samples);
+  splits = balanced(std::move(splits));
+  check_count(splits, request);
+  return Octree(placed.root.origin, placed.root.size, terminal_octants(splits));
+}
+
+Octree refine(const Octree& tree, std::span<const OctantId> octants) {
+  SplitKeys splits = split_keys(tree.octants());
+  for (const OctantId id : octants) {
+    const Octant& o = tree[id];
+    if (o.level == kLatticeLevels) continue;
+    splits.at[o.level].push_back(morton_key(o.corner) >> (3 * (kLatticeLevels - o.level)));
+  }
+  return Octree(tree.origin(), tree.root_size(), terminal_octants(balanced(std::move(splits))));
+}
+
+}  // namespace octet

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Octant edges against the exact boundary.
+#include "octree/cuts.h"
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+
+#include "octree/octant_edges.h"
+
+namespace octet {
+namespace {
+
+/// Edges a task: large enough to make tasks cheap, small enough to share out a few thousand edges.
+constexpr std::size_t kChunk = 256;
+
+void cut_edges(const Model& model, const Octree& tree, const OctreeVertices& vertices,
+               std::span<const OctantEdge> edges, std::vector<OctantEdgeCut>& cuts) {
+  std::vector<Hit> hits;
+  for (const OctantEdge& edge : edges) {
+    hits.clear();
+    model.intersect(tree.position(vertices.at[edge.from]), tree.position(vertices.at[edge.to]), hits);
+    for (const Hit& hit : hits) cuts.push_back({edge.from, edge.to, hit});
+  }
+}
+
+}  // namespace
+
+std::vector<OctantEdgeCut> cut_octant_edges(const Model& model, const Octree& tree,
+                                            const OctreeVertices& vertices, const OctantTypes& types) {
+  const std::vector<OctantEdge> edges = boundary_octant_edges(tree, vertices, types);
+  std::vector<std::vector<OctantEdgeCut>> chunks((edges.size() + kChunk - 1) / kChunk);
+  tbb::parallel_for(std::size_t{0}, chunks.size(), [&](std::size_t i) {
+    const std::size_t first = i * kChunk;
+    cut_edges(model, tree, vertices, std::span(edges).subspan(first, std::min(kChunk, edges.size() - first)),
+              chunks[i]);
+  });
+  std::vector<OctantEdgeCut> cuts;
+  for (const auto& chunk : chunks) cuts.insert(cuts.end(), chunk.begin(), chunk.end());
+  return cuts;
+}
+
+}  // namespace octet

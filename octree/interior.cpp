@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which octants the boundary cannot reach.
+#include "octree/interior.h"
+
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+
+namespace octet {
+namespace {
+
+/// Octants that touch each other share a vertex, for the finer one's corners are all on the coarser one's
+/// lattice: flags on vertices find neighbours without searching.
+void flag_vertices(const Octree& tree, const OctreeVertices& vertices, OctantId octant,
+                   std::vector<std::uint8_t>& flags) {
+  for (const std::uint32_t v : octant_lattice(tree, vertices, octant)) {
+    if (v != kNoVertex) flags[v] = 1;
+  }
+}
+
+/// Vertices of octants off the inside: a circumsphere may reach the boundary only beyond these.
+std::vector<std::uint8_t> near_the_boundary(const Octree& tree, const OctreeVertices& vertices,
+                                            const OctreeLabels& labels) {
+  std::vector<std::uint8_t> flags(vertices.size(), 0);
+  for (std::size_t i = 0; i < tree.size(); ++i) {
+    if (labels.type[i] == OctantType::kBoundary) flag_vertices(tree, vertices, OctantId(i), flags);
+  }
+  return flags;
+}
+
+/// Vertices of octants that hold a free point off the boundary.
+std::vector<std::uint8_t> near_a_free_point(const Octree& tree, const OctreeVertices& vertices,
+                                            const SeedPoints& points) {
+  std::vector<std::uint8_t> flags(vertices.size(), 0);
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    const bool octree_vertex = (points.order[p] >> 63) != 0;
+    if (octree_vertex || points.on[p].dim < 3) continue;
+    flag_vertices(tree, vertices, tree.find(points.position[p]), flags);
+  }
+  return flags;
+}
+
+}  // namespace
+
+std::vector<TemplateOctant> template_octants(const Model& model, const Octree& tree,
+                                             const OctreeVertices& vertices, const OctreeLabels& labels,
+                                             std::span<const std::uint8_t> kept, const SeedPoints& points) {
+  const std::vector<std::uint8_t> boundary = near_the_boundary(tree, vertices, labels);
+  const std::vector<std::uint8_t> occupied = near_a_free_point(tree, vertices, points);
+  const auto suits = [&](OctantId octant, const OctantLattice& lattice) {
+    bool touches_boundary = false, hangs = false;
+    for (int place = 0; place < 27; ++place) {
+      const std::uint32_t v = lattice[place];
+      if (v == kNoVertex) continue;
+      if (kept[v] == 0 || occupied[v] != 0) return false;
+      touches_boundary = touches_boundary || boundary[v] != 0;
+      hangs = hangs || place % 3 == 1 || place / 3 % 3 == 1 || place / 9 == 1;
+    }
+    // Neighbours are no smaller than half this octant, and no circumsphere reaches farther than half.
+    if (!touches_boundary) return true;
+    const double overhang = hangs ? kTransitionOverhang : kPlainOverhang;
+    return !model.near_boundary(tree.box(octant).grown(overhang * tree.length(tree[octant].level)));
+  };
+  std::vector<std::uint8_t> suitable(tree.size(), 0);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tree.size()), [&](const auto& range) {
+    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+      if (labels.type[i] != OctantType::kIn) continue;
+      suitable[i] = suits(OctantId(i), octant_lattice(tree, vertices, OctantId(i))) ? 1 : 0;
+    }
+  });
+  std::vector<TemplateOctant> result;
+  for (std::size_t i = 0; i < tree.size(); ++i) {
+    if (suitable[i] != 0) result.push_back({OctantId(i), octant_lattice(tree, vertices, OctantId(i))});
+  }
+  return result;
+}
+
+std::vector<std::uint8_t> band_vertices(const Octree& tree, const OctreeVertices& vertices,
+                                        std::span<const TemplateOctant> templates,
+                                        std::span<const std::uint8_t> kept) {
+  std::vector<std::uint8_t> band(vertices.size(), 0);
+  auto next = templates.begin();
+  for (std::size_t i = 0; i < tree.size(); ++i) {
+    if (next != templates.end() && next->octant == OctantId(i)) {
+      ++next;
+    } else {
+      flag_vertices(tree, vertices, OctantId(i), band);
+    }
+  }
+  for (std::size_t v = 0; v < band.size(); ++v) band[v] = band[v] != 0 && kept[v] != 0 ? 1 : 0;
+  return band;
+}
+
+}  // namespace octet

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The root cube: where the lattice lies in space.
+#pragma once
+
+#include "base/vec.h"
+#include "octree/octant.h"
+
+namespace octet {
+
+/// The cube [origin, origin + size]^3 and the lattice over it.
+struct Root {
+  Vec3 origin = Vec3::Zero();
+  double size = 0.0;
+
+  /// Edge length of an octant of that level, model units.
+  [[nodiscard]] double length(int level) const { return size / static_cast<double>(1u << level); }
+  [[nodiscard]] Vec3 position(const Lattice& p) const {
+    const double cell = length(kLatticeLevels);
+    return {origin.x() + cell * p[0], origin.y() + cell * p[1], origin.z() + cell * p[2]};
+  }
+  [[nodiscard]] Box3 box(const Octant& o) const {
+    const std::uint32_t e = o.extent();
+    return {position(o.corner), position({o.corner[0] + e, o.corner[1] + e, o.corner[2] + e})};
+  }
+  /// The lattice cell that holds p (lower faces included); points outside the root are clamped into it.
+  [[nodiscard]] Lattice cell_of(const Vec3& p) const;
+};
+
+struct PlacedRoot {
+  Root root;
+  int level = 0;  ///< of an octant of the size asked for
+};
+
+/// A root around `box` in which `size` is a level, with at least 2.5 sizes of outside on every side, shifted
+/// by an irrational share of the size.
+///
+/// Ensures that every lattice point, and every octant's centre, is exact in doubles: eight corners of an
+/// octant lie exactly on one sphere, so that ties are broken by rank and not by rounding. For that the size
+/// is rounded down, by less than 1e-8 of itself for parts no farther from the origin than 16 root edges.
+/// LimitError when the size needs more than kLatticeLevels levels; InputError when it is not a positive
+/// number.
+[[nodiscard]] PlacedRoot place_root(const Box3& box, double size);
+
+}  // namespace octet
