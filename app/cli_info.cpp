@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `octet info`.
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "app/commands.h"
+#include "app/exit_code.h"
+#include "app/report_json.h"
+#include "app/summary.h"
+#include "geom/occt/read_part.h"
+
+namespace octet {
+
+int run_info(const InfoCommand& command) {
+  const Model model = read_part(command.part);
+  const PartInfo info = part_info(model);
+  const std::string name = command.part.string();
+  if (command.json)
+    fmt::print("{}", part_info_json(name, model, info));
+  else
+    fmt::print("{}\n{}", name, part_summary(model, info));
+  return kExitComplete;
+}
+
+}  // namespace octet

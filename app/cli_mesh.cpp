@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `octet mesh`: every cheap way to fail is tried before the part is read.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <limits>
+#include <system_error>
+#include <thread>
+
+#include "app/commands.h"
+#include "app/console.h"
+#include "app/exit_code.h"
+#include "app/length_unit.h"
+#include "app/mesh_part.h"
+#include "app/outline.h"
+#include "app/output_check.h"
+#include "app/report_json.h"
+#include "app/summary.h"
+#include "geom/occt/read_part.h"
+#include "io/output_file.h"
+#include "io/write.h"
+
+namespace octet {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+double positive_length(const char* option, double value, const LengthUnit& unit) {
+  if (!std::isfinite(value) || value <= 0.0)
+    throw InputError(fmt::format("{} must be a positive length, not {}", option, value));
+  return value * unit.millimetres;
+}
+
+std::size_t element_limit(double value) {
+  if (!std::isfinite(value) || value < 1.0)
+    throw InputError(fmt::format("--max-elements must be at least 1, not {}", value));
+  constexpr double kMost = std::numeric_limits<std::uint32_t>::max();  // node and element ids are 4 bytes
+  return static_cast<std::size_t>(std::min(value, kMost));
+}
+
+MeshOptions mesh_options(const MeshCommand& command, const LengthUnit& unit) {
+  MeshOptions options;
+  if (command.size) options.size = positive_length("--size", *command.size, unit);
+  if (command.min_size) options.min_size = positive_length("--min-size", *command.min_size, unit);
+  if (command.size && command.min_size && options.min_size > options.size)
+    throw InputError(fmt::format("--min-size {} is larger than --size {}", *command.min_size, *command.size));
+  if (command.max_elements) options.max_elements = element_limit(*command.max_elements);
+  options.threads =
+      command.threads.value_or(static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
+  if (options.threads < 1)
+    throw InputError(fmt::format("--threads must be at least 1, not {}", options.threads));
+  options.finalize = command.finalize;
+  return options;
+}
+
+void check_distinct(const fs::path& a, const fs::path& b) {
+  std::error_code error;
+  if (a == b || fs::equivalent(a, b, error))
+    throw InputError(fmt::format("\"{}\" and \"{}\" are the same file", a.string(), b.string()));
+}
+
+void check_outputs(const MeshCommand& command) {
+  check_distinct(command.part, command.output);
+  check_writable(command.output);
+  if (!command.report.empty()) {
+    check_distinct(command.part, command.report);
+    check_distinct(command.output, command.report);
+    check_writable(command.report);
+  }
+  if (!command.dump_directory.empty()) make_directory(command.dump_directory);
+}
+
+void write_report(const fs::path& path, const std::string& text) {
+  if (path.empty()) return;
+  OutputFile file(path);
+  file.write(text);
+  file.commit();
+}
+
+ConsoleOptions console_options(const MeshCommand& command) {
+  ConsoleOptions options;
+  options.progress = !command.quiet && ::isatty(STDERR_FILENO) != 0;
+  options.notes = command.verbose;
+  options.dump_directory = command.dump_directory;
+  return options;
+}
+
+int mesh_to_file(const MeshCommand& command, const MeshOptions& options, const LengthUnit& unit,
+                 const RunNames& names, MeshFormat format) {
+  Console console(console_options(command));
+  auto start = Clock::now();
+  console.stage("reading", 0.0);
+  const Model model = read_part(command.part);
+  for (const std::string& note : model.notes()) console.note(note);
+  const double reading = seconds_since(start);
+
+  MeshResult result = mesh_part(model, options, console);
+  MeshReport& report = result.report;
+  report.times.insert(report.times.begin(), {"reading", reading});
+
+  start = Clock::now();
+  console.stage("writing", 1.0);
+  WriteOptions write_options;
+  write_options.scale = 1.0 / unit.millimetres;
+  write_mesh(command.output, result.mesh, outline_of(model), format, write_options);
+  report.times.push_back({"writing", seconds_since(start)});
+  write_report(command.report, mesh_report_json(names, model, report));
+  console.clear();
+
+  if (!command.quiet)
+    fmt::print("{} -> {} ({})\n{}", names.part, names.mesh, unit.name, mesh_summary(model, report));
+  return report.status == MeshStatus::kComplete ? kExitComplete : kExitIncomplete;
+}
+
+}  // namespace
+
+int run_mesh(const MeshCommand& command) {
+  const LengthUnit unit = length_unit(command.unit.empty() ? "mm" : command.unit);
+  const MeshOptions options = mesh_options(command, unit);
+  const MeshFormat format = mesh_format(command.output, command.format);
+  check_outputs(command);
+  const RunNames names{command.part.string(), command.output.string(), unit.name};
+  try {
+    return mesh_to_file(command, options, unit, names, format);
+  } catch (const std::exception& error) {
+    write_report(command.report, failure_json(names, error.what()));
+    throw;
+  }
+}
+
+}  // namespace octet

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The program's commands as plain requests: what main() parses and the commands run.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace octet {
+
+struct MeshCommand {
+  std::filesystem::path part, output, report, dump_directory;
+  std::optional<double> size, min_size;  ///< in `unit`
+  std::string unit;                      ///< empty: millimetre
+  std::string format;                    ///< empty: by the output's suffix
+  std::optional<int> threads;            ///< none: one per core
+  std::optional<double> max_elements;
+  bool finalize = true;
+  bool quiet = false, verbose = false;
+};
+
+struct InfoCommand {
+  std::filesystem::path part;
+  bool json = false;
+};
+
+struct CheckCommand {
+  std::filesystem::path mesh, part;
+  std::string unit;  ///< of the mesh file's coordinates; empty: millimetre
+  bool json = false;
+};
+
+/// Each returns an ExitCode and throws what the library throws.
+int run_mesh(const MeshCommand& command);
+int run_info(const InfoCommand& command);
+int run_check(const CheckCommand& command);
+
+}  // namespace octet

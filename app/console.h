@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The program's observer: progress and notes on stderr, stage dumps, and Ctrl-C.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "base/observer.h"
+
+namespace octet {
+
+struct ConsoleOptions {
+  bool progress = false;                 ///< one line that is rewritten; for terminals
+  bool notes = false;                    ///< a line per stage and note
+  std::filesystem::path dump_directory;  ///< empty: no dumps
+};
+
+/// Makes Ctrl-C and SIGTERM end the run at the next question; the second one kills. A file size limit becomes
+/// a failed write instead of a signal. Called once, by main.
+void catch_signals();
+
+class Console : public Observer {
+ public:
+  explicit Console(ConsoleOptions options) : options_(std::move(options)) {}
+  ~Console() override { clear(); }
+  Console(const Console&) = delete;
+  Console& operator=(const Console&) = delete;
+
+  void stage(std::string_view name, double fraction) override;
+  void note(std::string_view text) override;
+  void dump(std::string_view stage, const Mesh& mesh) override;
+  [[nodiscard]] bool wants_dumps() const override { return !options_.dump_directory.empty(); }
+  [[nodiscard]] bool cancelled() const override;
+  /// Takes the progress line away.
+  void clear();
+
+ private:
+  ConsoleOptions options_;
+  bool line_ = false;
+  int dumps_ = 0;
+};
+
+}  // namespace octet

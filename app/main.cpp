@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The command line: parse, run, and turn every way to end into one exit code and one line.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+
+#include "app/commands.h"
+#include "app/console.h"
+#include "app/exit_code.h"
+#include "base/error.h"
+
+namespace octet {
+namespace {
+
+constexpr const char* kFooter =
+    "Lengths on the command line and coordinates of mesh files are in --unit (default: mm);\n"
+    "what is printed is in mm and degrees.\n"
+    "\n"
+    "Exit codes:\n"
+    "  0  complete: the mesh was written (mesh) or read (check) and every claim about it holds\n"
+    "  2  bad input or use: the part, an option, a limit or the output path; no file was written\n"
+    "  3  incomplete: the mesh was written or read, and the faults listed remain\n"
+    "  4  failed: no mesh; cancelled, out of memory, or a defect of octet";
+
+constexpr const char* kUnitHelp = "mm (default), um, cm, m, inch, ft, ...";
+
+int complain(const std::string& message, ExitCode code) {
+  std::string line = message;
+  std::replace_if(
+      line.begin(), line.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  while (!line.empty() && line.back() == ' ') line.pop_back();
+  std::fprintf(stderr, "octet: error: %s\n", line.c_str());
+  return code;
+}
+
+template <class Run>
+int guarded(const Run& run) {
+  try {
+    const int code = run();
+    // What was printed may sit in a buffer that a full disk or a closed pipe cannot take.
+    if (std::fflush(stdout) != 0) return complain("cannot write to standard output", kExitBadInput);
+    return code;
+  } catch (const Cancelled& error) {
+    return complain(error.what(), kExitFailed);
+  } catch (const Bug& error) {
+    return complain(error.what(), kExitFailed);
+  } catch (const Error& error) {
+    return complain(error.what(), kExitBadInput);
+  } catch (const std::bad_alloc&) {
+    return complain("out of memory; ask for a larger --size", kExitFailed);
+  } catch (const std::exception& error) {
+    return complain(std::string("internal error: ") + error.what(), kExitFailed);
+  }
+}
+
+void add_mesh(CLI::App& app, MeshCommand& mesh) {
+  CLI::App& sub = *app.add_subcommand("mesh", "Mesh a CAD part: classified tetrahedra");
+  sub.add_option("part", mesh.part, "STEP, IGES or BREP file")->required();
+  sub.add_option("-o,--output", mesh.output, "Mesh file to write (.msh or .vtu)")->required();
+  sub.add_option("--size", mesh.size, "Edge length of the elements (default: from the part's dimensions)");
+  sub.add_option("--min-size", mesh.min_size, "Refine no further than this (default: size / 32)");
+  sub.add_option("--unit", mesh.unit, kUnitHelp);
+  sub.add_option("--format", mesh.format, "msh41, msh41-ascii, msh22, msh22-ascii, vtu (default: by suffix)");
+  sub.add_option("--threads", mesh.threads, "Threads; any number gives the same bytes (default: all cores)");
+  sub.add_option("--max-elements", mesh.max_elements, "Refuse what needs more elements (default: 20000000)");
+  sub.add_option("--report", mesh.report, "Write a report as JSON");
+  sub.add_option("--dump-stages", mesh.dump_directory, "Write the mesh of every stage into this directory");
+  sub.add_flag("!--no-finalize", mesh.finalize, "Leave the elements' shapes as classification made them");
+  CLI::Option* quiet = sub.add_flag("--quiet,-q", mesh.quiet, "Print nothing but errors");
+  sub.add_flag("--verbose,-v", mesh.verbose, "Tell of every stage on stderr")->excludes(quiet);
+  sub.footer(kFooter);
+}
+
+void add_info(CLI::App& app, InfoCommand& info) {
+  CLI::App& sub = *app.add_subcommand("info", "Tell what a part is: unit, size, entities, names, faults");
+  sub.add_option("part", info.part, "STEP, IGES or BREP file")->required();
+  sub.add_flag("--json", info.json, "Print JSON");
+  sub.footer(kFooter);
+}
+
+void add_check(CLI::App& app, CheckCommand& check) {
+  CLI::App& sub = *app.add_subcommand("check", "Check a mesh against its part, claim by claim");
+  sub.add_option("mesh", check.mesh, "MSH or VTU file")->required();
+  sub.add_option("part", check.part, "STEP, IGES or BREP file")->required();
+  sub.add_option("--unit", check.unit, std::string("Unit of the mesh file: ") + kUnitHelp);
+  sub.add_flag("--json", check.json, "Print JSON");
+  sub.footer(kFooter);
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Octet: CAD part in, classified tetrahedral mesh out", "octet");
+  app.set_version_flag("--version", std::string("octet ") + OCTET_VERSION);
+  app.footer(kFooter);
+  app.require_subcommand(1);
+  MeshCommand mesh;
+  InfoCommand info;
+  CheckCommand check;
+  add_mesh(app, mesh);
+  add_info(app, info);
+  add_check(app, check);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+    return complain(std::string(error.what()) + "; see octet --help", kExitBadInput);
+  }
+  if (app.got_subcommand("mesh")) return guarded([&] { return run_mesh(mesh); });
+  if (app.got_subcommand("info")) return guarded([&] { return run_info(info); });
+  return guarded([&] { return run_check(check); });
+}
+
+}  // namespace
+}  // namespace octet
+
+int main(int argc, char** argv) {
+  octet::catch_signals();
+  return octet::run(argc, argv);
+}

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Whether an output can be written, asked before the work and not after.
+#pragma once
+
+#include <filesystem>
+
+namespace octet {
+
+/// OutputError, one line, when no file can be made at `path`: no such directory, a directory, no permission,
+/// a full disk. Leaves nothing behind.
+void check_writable(const std::filesystem::path& path);
+
+/// Makes the directory when it is missing; OutputError when it cannot be made.
+void make_directory(const std::filesystem::path& path);
+
+}  // namespace octet

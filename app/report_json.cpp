@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Keys are stable: tests/corpus.sh and users' scripts read them.
+#include "app/report_json.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace octet {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kDegree = 180.0 / M_PI;
+
+/// Names come from CAD files in any encoding: what is no UTF-8 is replaced, never thrown at.
+std::string text_of(const Json& json) {
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Json vec_json(const Vec3& p) { return Json::array({p.x(), p.y(), p.z()}); }
+
+Json fault_json(const Model& model, const Fault& fault) {
+  Json json{{"dim", fault.entity.dim}, {"tag", fault.entity.tag}};
+  json["entity"] = fault.entity.valid() ? model.describe(fault.entity) : "";
+  json["place"] = vec_json(fault.place);
+  json["cause"] = fault.cause;
+  json["advice"] = fault.advice;
+  return json;
+}
+
+Json faults_json(const Model& model, const std::vector<Fault>& faults) {
+  Json json = Json::array();
+  for (const Fault& fault : faults) json.push_back(fault_json(model, fault));
+  return json;
+}
+
+Json claims_json(const Model& model, const Acceptance& acceptance) {
+  Json json = Json::array();
+  for (const Claim& claim : acceptance.claims)
+    json.push_back({{"name", claim.name},
+                    {"statement", claim.statement},
+                    {"holds", claim.holds},
+                    {"worst", claim.worst},
+                    {"limit", claim.limit},
+                    {"faults", faults_json(model, claim.faults)}});
+  return json;
+}
+
+Json measure_json(double mesh, double cad) {
+  return {{"mesh", mesh}, {"cad", cad}, {"relative_error", cad > 0.0 ? mesh / cad - 1.0 : 0.0}};
+}
+
+Json head_json(const RunNames& names, const char* status) {
+  return {{"octet", OCTET_VERSION},
+          {"status", status},
+          {"part", names.part},
+          {"mesh", names.mesh},
+          {"mesh_unit", names.mesh_unit}};
+}
+
+Json quality_json(const QualitySummary& quality) {
+  return {{"min_dihedral", quality.min_dihedral * kDegree},
+          {"max_dihedral", quality.max_dihedral * kDegree},
+          {"p1_min_dihedral", quality.p1_min_dihedral * kDegree},
+          {"min_mean_ratio", quality.min_mean_ratio},
+          {"mean_mean_ratio", quality.mean_mean_ratio}};
+}
+
+const char* use_name(EdgeUse use) {
+  switch (use) {
+    case EdgeUse::kReal:
+      return "real";
+    case EdgeUse::kSeam:
+      return "seam";
+    default:
+      return "degenerate";
+  }
+}
+
+Json edges_json(const Model& model) {
+  Json json = Json::array();
+  for (int e = 1; e <= model.count(1); ++e) {
+    const ModelEdge& edge = model.edge(e);
+    json.push_back({{"tag", e},
+                    {"name", edge.name},
+                    {"use", use_name(edge.use)},
+                    {"length", edge.length},
+                    {"vertices", edge.vertex},
+                    {"faces", edge.faces}});
+  }
+  return json;
+}
+
+Json faces_json(const Model& model) {
+  Json json = Json::array();
+  for (int f = 1; f <= model.count(2); ++f) {
+    const ModelFace& face = model.face(f);
+    json.push_back({{"tag", f},
+                    {"name", face.name},
+                    {"colour", face.colour},
+                    {"surface", model.surface(f).kind()},
+                    {"area", face.area},
+                    {"regions", face.region}});
+  }
+  return json;
+}
+
+Json regions_json(const Model& model) {
+  Json json = Json::array();
+  for (int r = 1; r <= model.count(3); ++r) {
+    const ModelRegion& region = model.region(r);
+    json.push_back({{"tag", r}, {"name", region.name}, {"volume", region.volume}, {"faces", region.faces}});
+  }
+  return json;
+}
+
+}  // namespace
+
+std::string mesh_report_json(const RunNames& names, const Model& model, const MeshReport& report) {
+  Json json = head_json(names, report.status == MeshStatus::kComplete ? "complete" : "incomplete");
+  json["part_unit"] = model.unit();
+  json["size"] = report.size;
+  json["diagonal"] = model.diagonal();
+  json["nodes"] = report.nodes;
+  json["tets"] = report.tets;
+  json["triangles"] = report.triangles;
+  json["template_tets"] = report.template_tets;
+  json["attribute_points"] = report.attribute_points;
+  json["rounds"] = report.rounds;
+  json["quality"] = quality_json(report.quality);
+  json["volume"] = measure_json(report.volume, report.cad_volume);
+  json["area"] = measure_json(report.area, report.cad_area);
+  json["times"] = Json::array();
+  for (const StageTime& time : report.times)
+    json["times"].push_back({{"stage", time.name}, {"seconds", time.seconds}});
+  json["faults"] = faults_json(model, report.faults);
+  json["claims"] = claims_json(model, report.acceptance);
+  return text_of(json);
+}
+
+std::string failure_json(const RunNames& names, const std::string& message) {
+  Json json = head_json(names, "failed");
+  json["error"] = message;
+  return text_of(json);
+}
+
+std::string part_info_json(const std::string& part, const Model& model, const PartInfo& info) {
+  Json json{{"octet", OCTET_VERSION}, {"part", part}, {"unit", model.unit()}};
+  json["box"] = {{"lo", vec_json(model.box().lo)}, {"hi", vec_json(model.box().hi)}};
+  json["size"] = vec_json(model.box().size());
+  json["diagonal"] = model.diagonal();
+  json["default_size"] = info.default_size;
+  json["volume"] = info.volume;
+  json["area"] = info.area;
+  json["counts"] = {{"regions", model.count(3)}, {"faces", model.count(2)},
+                    {"edges", model.count(1)},   {"vertices", model.count(0)},
+                    {"seams", info.seams},       {"degenerate_edges", info.degenerate}};
+  if (info.smallest_edge > 0)
+    json["smallest_edge"] = {{"tag", info.smallest_edge}, {"length", model.edge(info.smallest_edge).length}};
+  if (info.smallest_face > 0)
+    json["smallest_face"] = {{"tag", info.smallest_face}, {"area", model.face(info.smallest_face).area}};
+  json["free_edges"] = info.free_edges;
+  json["nonmanifold_edges"] = info.nonmanifold;
+  json["dangling_faces"] = info.dangling_faces;
+  json["notes"] = model.notes();
+  json["regions"] = regions_json(model);
+  json["faces"] = faces_json(model);
+  json["edges"] = edges_json(model);
+  return text_of(json);
+}
+
+std::string acceptance_json(const RunNames& names, const Model& model, const Acceptance& acceptance) {
+  Json json = head_json(names, acceptance.holds() ? "complete" : "incomplete");
+  json["claims"] = claims_json(model, acceptance);
+  return text_of(json);
+}
+
+}  // namespace octet

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reports for programs: JSON text. Lengths are millimetre, angles degrees.
+#pragma once
+
+#include <string>
+
+#include "app/mesh_part.h"
+#include "app/part_info.h"
+
+namespace octet {
+
+/// Which run a report is about.
+struct RunNames {
+  std::string part;
+  std::string mesh;
+  std::string mesh_unit;  ///< of the mesh file's coordinates
+};
+
+[[nodiscard]] std::string mesh_report_json(const RunNames& names, const Model& model,
+                                           const MeshReport& report);
+/// The report of a run that ended without a mesh.
+[[nodiscard]] std::string failure_json(const RunNames& names, const std::string& message);
+[[nodiscard]] std::string part_info_json(const std::string& part, const Model& model, const PartInfo& info);
+[[nodiscard]] std::string acceptance_json(const RunNames& names, const Model& model,
+                                          const Acceptance& acceptance);
+
+}  // namespace octet

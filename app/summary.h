@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reports for people: text. Lengths are millimetre, angles degrees.
+#pragma once
+
+#include <string>
+
+#include "app/mesh_part.h"
+#include "app/part_info.h"
+
+namespace octet {
+
+/// The end of `octet mesh`: elements, quality, measures against the CAD, times, status, faults.
+[[nodiscard]] std::string mesh_summary(const Model& model, const MeshReport& report);
+/// `octet info`.
+[[nodiscard]] std::string part_summary(const Model& model, const PartInfo& info);
+/// `octet check`: every claim by name, with its worst places.
+[[nodiscard]] std::string acceptance_summary(const Model& model, const Acceptance& acceptance);
+
+}  // namespace octet
