@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "app/attribute_points.h"
+#include "app/interior.h"
 #include "app/mesh_part.h"
 #include "classify/extract.h"
 #include "finalize/finalize.h"
@@ -87,8 +88,9 @@ class Run {
     observer_.note(fmt::format("octree: {} octants, {} vertices, {} size samples", tree_->size(),
                                vertices_.size(), samples.size()));
     begin("cuts", 0.1);
-    labels_ = label_octree(model_, *tree_, vertices_);
-    cuts_ = cut_octant_edges(model_, *tree_, vertices_, labels_);
+    const OctantTypes types = octant_types(model_, *tree_);
+    cuts_ = cut_octant_edges(model_, *tree_, vertices_, types);
+    labels_ = label_vertices(model_, *tree_, vertices_, types, cuts_);
     for (const Fault& fault : labels_.conflicts) observer_.note("parity: " + fault.cause);
   }
 
@@ -102,7 +104,10 @@ class Run {
 
   void triangulate() {
     begin("triangulation", 0.3);
-    triangulation_.insert_all(seeds_.points.position, seeds_.points.order);
+    split_ = split_interior(model_, *tree_, vertices_, labels_, seeds_);
+    observer_.note(fmt::format("interior: {} template octants, {} of {} points in the band",
+                               split_.templates.size(), split_.band.size(), seeds_.points.size()));
+    triangulation_.insert_all(split_.band.position, split_.band.order);
   }
 
   /// Exact region of a point: the octant's label where it has one.
@@ -122,7 +127,7 @@ class Run {
 
   void close_holes() {
     begin("classification", 0.45);
-    on_ = seeds_.points.on;
+    on_ = split_.band.on;
     chains_ = std::make_unique<EdgeChains>(seeds_.pieces);
     band_ = std::make_unique<Band>(model_, [this](const Vec3& p) { return region_of(p); });
     std::vector<TetId> all;
@@ -142,8 +147,12 @@ class Run {
 
   void extract() {
     begin("extraction", 0.6);
-    const auto& mesh = triangulation_.mesh();
-    result_.mesh = extract_mesh(*band_, mesh, mesh.points.values(), on_, *chains_, {});
+    const TetMesh& band = triangulation_.mesh();
+    std::vector<Vec3> points = band.points.values();
+    std::vector<ModelRef> on = on_;
+    const ExtraTets interior = template_tets(*tree_, vertices_, labels_, split_, points, on);
+    result_.report.template_tets = interior.tets.size();
+    result_.mesh = extract_mesh(*band_, band, points, on, *chains_, interior);
     if (observer_.wants_dumps()) observer_.dump("classified", result_.mesh);
   }
 
@@ -203,6 +212,7 @@ class Run {
   OctreeLabels labels_;
   std::vector<OctantEdgeCut> cuts_;
   Seeds seeds_;
+  BandAndInterior split_;
   Triangulation triangulation_;
   std::vector<ModelRef> on_;
   std::unique_ptr<EdgeChains> chains_;

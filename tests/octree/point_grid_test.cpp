@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// PointGrid finds exactly the points that a scan of all points finds.
+#include "octree/point_grid.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <set>
+
+namespace octet {
+namespace {
+
+TEST(PointGrid, FindsExactlyThePointsWithinTheRadius) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> coordinate(0.0, 16.0);
+  PointGrid grid(Vec3::Zero(), 16.0);
+  std::vector<Vec3> points;
+  for (std::uint32_t n = 0; n < 2000; ++n) {
+    const double x = coordinate(random), y = coordinate(random), z = coordinate(random);
+    points.emplace_back(x, y, z);
+    grid.add(n, points.back(), n % 3 == 0 ? 0.1 : 1.0);
+  }
+  for (int i = 0; i < 200; ++i) {
+    const Vec3 p = points[i * 7];
+    const double r = 0.05 + 0.01 * i;
+    std::set<std::uint32_t> found, expected;
+    grid.any_within(p, r, [&](std::uint32_t n, double) {
+      found.insert(n);
+      return false;
+    });
+    for (std::uint32_t n = 0; n < points.size(); ++n)
+      if ((points[n] - p).squaredNorm() < r * r) expected.insert(n);
+    EXPECT_EQ(found, expected);
+  }
+}
+
+TEST(PointGrid, StopsWhenTheVisitorSaysSo) {
+  PointGrid grid(Vec3::Zero(), 1.0);
+  grid.add(0, Vec3(0.5, 0.5, 0.5), 0.1);
+  grid.add(1, Vec3(0.52, 0.5, 0.5), 0.1);
+  int visits = 0;
+  EXPECT_TRUE(
+      grid.any_within(Vec3(0.5, 0.5, 0.5), 0.1, [&](std::uint32_t, double) { return ++visits == 1; }));
+  EXPECT_EQ(visits, 1);
+  EXPECT_FALSE(grid.any_within(Vec3(0.1, 0.1, 0.1), 0.1, [](std::uint32_t, double) { return true; }));
+}
+
+}  // namespace
+}  // namespace octet
