@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# The installed tree: bin/octet, lib/liboctet_*.a, include/octet/<room>/*.h, and a package for find_package(octet).
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+# octet::octet is the whole library under one name.
+add_library(octet_whole INTERFACE)
+add_library(octet::octet ALIAS octet_whole)
+set_target_properties(octet_whole PROPERTIES EXPORT_NAME octet)
+get_property(rooms GLOBAL PROPERTY OCTET_ROOMS)
+target_link_libraries(octet_whole INTERFACE ${rooms})
+
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/octet)
+foreach(room IN LISTS rooms)
+  get_target_property(room_dir ${room} SOURCE_DIR)
+  get_target_property(headers ${room} OCTET_ROOM_HEADERS)
+  foreach(header IN LISTS headers)
+    file(RELATIVE_PATH shown ${PROJECT_SOURCE_DIR} ${room_dir}/${header})
+    get_filename_component(folder ${shown} DIRECTORY)
+    install(FILES ${room_dir}/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/octet/${folder})
+  endforeach()
+endforeach()
+install(TARGETS ${rooms} octet_whole EXPORT octetTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS octet RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(EXPORT octetTargets NAMESPACE octet:: DESTINATION ${package_dir})
+configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/octetConfig.cmake.in
+                              ${PROJECT_BINARY_DIR}/octetConfig.cmake INSTALL_DESTINATION ${package_dir})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/octetConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/octetConfig.cmake ${PROJECT_BINARY_DIR}/octetConfigVersion.cmake
+        DESTINATION ${package_dir})
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
