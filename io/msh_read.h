@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// MSH 4.1 and 2.2, ASCII and binary, of any writer.
+#pragma once
+
+#include <string_view>
+
+#include "io/raw_mesh.h"
+
+namespace octet {
+
+/// Linear points, lines, triangles and tetrahedra; InputError for any other element, other versions, and
+/// bytes that are no MSH file. Sections that a mesh does not need are skipped. Binary files of either byte
+/// order.
+[[nodiscard]] RawMesh read_msh(std::string_view bytes);
+
+}  // namespace octet

@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Every format gives back what went in; nothing half-written is ever left behind.
+#include "io/write.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "base/error.h"
+#include "tests/support/box_mesh.h"
+
+namespace octet {
+namespace {
+
+namespace fs = std::filesystem;
+
+const Vec3 kSize(3.0, 2.0, 1.0);
+constexpr MeshFormat kFormats[] = {MeshFormat::kMsh41Binary, MeshFormat::kMsh41Ascii,
+                                   MeshFormat::kMsh22Binary, MeshFormat::kMsh22Ascii, MeshFormat::kVtu};
+
+/// A directory of its own for each test, removed at the end.
+class Files : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
+    directory_ = fs::temp_directory_path() / (std::string("octet_io_") + info->name());
+    fs::remove_all(directory_);
+    fs::create_directories(directory_);
+  }
+  void TearDown() override { fs::remove_all(directory_); }
+  [[nodiscard]] std::size_t file_count() const {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(directory_), {}));
+  }
+  fs::path directory_;
+};
+
+using Write = Files;
+using Read = Files;
+
+std::string bytes_of(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+void put_bytes(const fs::path& path, const std::string& bytes) {
+  std::ofstream(path, std::ios::binary) << bytes;
+}
+
+/// Coordinates that decimal notation does not hit, and a sheared grid.
+Mesh crooked_mesh() {
+  Mesh mesh = test::plain_box_mesh(3);
+  for (Vec3& p : mesh.points) p = Vec3(p.x() / 3.0 + 1e-17 * p.y(), -p.y() * 0.1, 1e6 + p.z() / 7.0 - p.x());
+  return mesh;
+}
+
+void expect_same(const Mesh& a, const Mesh& b) {
+  ASSERT_EQ(a.points.size(), b.points.size());
+  for (std::size_t v = 0; v < a.points.size(); ++v)
+    for (int i = 0; i < 3; ++i)
+      ASSERT_EQ(std::bit_cast<std::uint64_t>(a.points[v][i]), std::bit_cast<std::uint64_t>(b.points[v][i]));
+  EXPECT_EQ(a.point_on, b.point_on);
+  EXPECT_EQ(a.edges, b.edges);
+  EXPECT_EQ(a.edge_on, b.edge_on);
+  EXPECT_EQ(a.triangles, b.triangles);
+  EXPECT_EQ(a.triangle_on, b.triangle_on);
+  EXPECT_EQ(a.tets, b.tets);
+  EXPECT_EQ(a.tet_in, b.tet_in);
+}
+
+TEST_F(Write, EveryFormatGivesBackTheMeshToTheBit) {
+  const Mesh mesh = crooked_mesh();
+  for (const MeshFormat format : kFormats) {
+    SCOPED_TRACE(static_cast<int>(format));
+    write_mesh(directory_ / "a", mesh, test::plain_box_outline(kSize, true), format);
+    expect_same(mesh, read_mesh(directory_ / "a"));
+  }
+  EXPECT_EQ(file_count(), 1u);
+}
+
+TEST_F(Write, NodesInNoOrderOfEntitiesKeepTheirNumbers) {
+  Mesh mesh = test::plain_box_mesh(2);
+  std::swap(mesh.tets.front(), mesh.tets.back());
+  std::reverse(mesh.triangles.begin(), mesh.triangles.end());
+  std::reverse(mesh.triangle_on.begin(), mesh.triangle_on.end());
+  for (const MeshFormat format : kFormats) {
+    write_mesh(directory_ / "a", mesh, {}, format);
+    expect_same(mesh, read_mesh(directory_ / "a"));
+  }
+}
+
+TEST_F(Write, SameMeshGivesSameBytes) {
+  const Mesh mesh = crooked_mesh();
+  for (const MeshFormat format : kFormats) {
+    write_mesh(directory_ / "a", mesh, {}, format);
+    write_mesh(directory_ / "b", mesh, {}, format);
+    EXPECT_EQ(bytes_of(directory_ / "a"), bytes_of(directory_ / "b"));
+  }
+}
+
+TEST_F(Write, AnEmptyMeshIsAFileToo) {
+  for (const MeshFormat format : kFormats) {
+    write_mesh(directory_ / "a", {}, {}, format);
+    EXPECT_TRUE(read_mesh(directory_ / "a").points.empty());
+  }
+}
+
+TEST_F(Write, ScaleMultipliesCoordinates) {
+  const Mesh mesh = test::plain_box_mesh(1);
+  for (const MeshFormat format : kFormats) {
+    write_mesh(directory_ / "a", mesh, {}, format, {.scale = 0.25});
+    const Mesh read = read_mesh(directory_ / "a");
+    for (std::size_t v = 0; v < mesh.points.size(); ++v) EXPECT_EQ(read.points[v], 0.25 * mesh.points[v]);
+  }
+}
+
+TEST_F(Write, NamesBecomeUniqueGroupsOfEveryFaceAndRegion) {
+  ModelOutline outline = test::plain_box_outline(kSize, true);
+  outline.entities[2][0].name = "bore \"A\"";
+  outline.entities[1][4].name = "rim";
+  write_mesh(directory_ / "a", test::plain_box_mesh(1), outline, MeshFormat::kMsh41Ascii);
+  const std::string text = bytes_of(directory_ / "a");
+  EXPECT_NE(text.find("$PhysicalNames\n8\n1 5 \"rim\"\n2 1 \"bore 'A' Face1\"\n2 2 \"Face2\"\n"
+                      "2 3 \"bore 'A' Face3\"\n2 4 \"Face4\"\n2 5 \"Face5\"\n2 6 \"Face6\"\n3 1 \"body\"\n"),
+            std::string::npos);
+}
+
+TEST_F(Write, WithoutNamesThereAreNoGroups) {
+  write_mesh(directory_ / "a", test::plain_box_mesh(1), test::plain_box_outline(kSize, false),
+             MeshFormat::kMsh41Ascii);
+  EXPECT_EQ(bytes_of(directory_ / "a").find("$PhysicalNames"), std::string::npos);
+}
+
+TEST_F(Write, LongNamesAreCutBetweenCharactersAndStayUnique) {
+  ModelOutline outline = test::plain_box_outline(kSize, false);
+  std::string name;
+  for (int i = 0; i < 100; ++i) name += "\xC3\xA9";
+  for (auto& face : outline.entities[2]) face.name = name;
+  write_mesh(directory_ / "a", test::plain_box_mesh(1), outline, MeshFormat::kMsh22Ascii);
+  const std::string text = bytes_of(directory_ / "a");
+  const std::size_t at = text.find("2 1 \"");
+  ASSERT_NE(at, std::string::npos);
+  const std::size_t end = text.find('"', at + 5);
+  EXPECT_LE(end - at - 5, 127u);
+  EXPECT_EQ(text.substr(end - 8, 8), "\xC3\xA9 Face1");
+}
+
+TEST_F(Write, EntitiesTellBoxesAndBounds) {
+  write_mesh(directory_ / "a", test::plain_box_mesh(1), test::plain_box_outline(kSize, false),
+             MeshFormat::kMsh41Ascii);
+  const std::string text = bytes_of(directory_ / "a");
+  EXPECT_NE(text.find("$Entities\n8 12 6 1\n1 0 0 0 0\n2 0 0 1 0\n"), std::string::npos);
+  EXPECT_NE(text.find("\n1 0 0 0 0 0 1 0 2 1 -2\n"), std::string::npos);
+  EXPECT_NE(text.find("\n1 0 0 0 3 2 1 0 6 "), std::string::npos);
+}
+
+TEST_F(Write, TheOldFileSurvivesAFailure) {
+  put_bytes(directory_ / "a.msh", "old");
+  Mesh broken = test::plain_box_mesh(1);
+  broken.tet_in.pop_back();
+  EXPECT_THROW(write_mesh(directory_ / "a.msh", broken, {}, MeshFormat::kMsh41Binary), Bug);
+  EXPECT_EQ(bytes_of(directory_ / "a.msh"), "old");
+  EXPECT_EQ(file_count(), 1u);
+}
+
+TEST_F(Write, AFullDiskIsAnError) {
+  for (const MeshFormat format : kFormats)
+    EXPECT_THROW(write_mesh("/dev/full", test::plain_box_mesh(2), {}, format), OutputError);
+  EXPECT_TRUE(fs::is_character_file("/dev/full"));
+  EXPECT_FALSE(fs::exists("/dev/full.part0"));
+}
+
+TEST_F(Write, AMissingDirectoryIsAnError) {
+  EXPECT_THROW(write_mesh(directory_ / "none" / "a.msh", test::plain_box_mesh(1), {}, MeshFormat::kVtu),
+               OutputError);
+  EXPECT_EQ(file_count(), 0u);
+}
+
+TEST_F(Write, ADirectoryAsTargetIsAnError) {
+  fs::create_directory(directory_ / "a.msh");
+  EXPECT_THROW(write_mesh(directory_ / "a.msh", test::plain_box_mesh(1), {}, MeshFormat::kMsh41Binary),
+               OutputError);
+  EXPECT_EQ(file_count(), 1u);
+}
+
+TEST_F(Write, ADirectoryThatCannotBeWrittenIsAnError) {
+  // /proc takes no files from anybody, not even from root.
+  EXPECT_THROW(write_mesh("/proc/a.msh", test::plain_box_mesh(1), {}, MeshFormat::kMsh41Binary), OutputError);
+}
+
+TEST_F(Write, ALinkIsFollowed) {
+  put_bytes(directory_ / "real.msh", "old");
+  fs::create_symlink("real.msh", directory_ / "link.msh");
+  write_mesh(directory_ / "link.msh", test::plain_box_mesh(1), {}, MeshFormat::kMsh41Binary);
+  EXPECT_TRUE(fs::is_symlink(directory_ / "link.msh"));
+  EXPECT_EQ(read_mesh(directory_ / "real.msh").tets.size(), 6u);
+}
+
+TEST(Format, IsToldByNameElseBySuffix) {
+  EXPECT_EQ(mesh_format("a.msh", ""), MeshFormat::kMsh41Binary);
+  EXPECT_EQ(mesh_format("a.VTU", ""), MeshFormat::kVtu);
+  EXPECT_EQ(mesh_format("a.vtu", "msh"), MeshFormat::kMsh41Binary);
+  EXPECT_EQ(mesh_format("a", "msh22-ascii"), MeshFormat::kMsh22Ascii);
+  EXPECT_EQ(mesh_format("a", "msh22"), MeshFormat::kMsh22Binary);
+  EXPECT_EQ(mesh_format("a", "msh41-ascii"), MeshFormat::kMsh41Ascii);
+  EXPECT_THROW((void)mesh_format("a.stl", ""), InputError);
+  EXPECT_THROW((void)mesh_format("a.msh", "stl"), InputError);
+}
+
+TEST_F(Read, EveryTruncationIsAnErrorOrKeepsWhatItRead) {
+  const Mesh mesh = test::plain_box_mesh(1);
+  for (const MeshFormat format : kFormats) {
+    write_mesh(directory_ / "a", mesh, test::plain_box_outline(kSize, true), format);
+    const std::string whole = bytes_of(directory_ / "a");
+    // The last bytes of a file are its closing tag or line end, which an array does not need.
+    for (std::size_t n = 0; n + 40 < whole.size(); n += 31) {
+      put_bytes(directory_ / "b", whole.substr(0, n));
+      EXPECT_THROW((void)read_mesh(directory_ / "b"), InputError) << static_cast<int>(format) << " " << n;
+    }
+  }
+}
+
+TEST_F(Read, NoChangedByteEverCrashes) {
+  const Mesh mesh = test::plain_box_mesh(1);
+  std::uint32_t random = 12345;
+  const auto next = [&random] { return random = random * 1664525u + 1013904223u; };
+  std::size_t refused = 0;
+  for (const MeshFormat format : kFormats) {
+    write_mesh(directory_ / "a", mesh, {}, format);
+    const std::string whole = bytes_of(directory_ / "a");
+    for (int i = 0; i < 100; ++i) {
+      std::string changed = whole;
+      for (int k = 0; k < 1 + i % 4; ++k)
+        changed[(next() >> 8) % changed.size()] = static_cast<char>(next() >> 16);
+      put_bytes(directory_ / "b", changed);
+      try {
+        const Mesh read = read_mesh(directory_ / "b");
+        EXPECT_LE(read.tets.size(), 6u);
+      } catch (const InputError&) {
+        ++refused;
+      }
+    }
+  }
+  EXPECT_GT(refused, 120u);
+}
+
+TEST_F(Read, BogusCountsAllocateNothing) {
+  const char* files[] = {
+      "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n1 9000000000000000000 1 1\n3 1 0 "
+      "9000000000000000000\n1\n",
+      "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n-1 1 1 1\n",
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4000000000\n1 0 0 0\n",
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n1\n1 0 0 0\n$EndNodes\n$Elements\n1\n1 4 2000000000 1\n",
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n1\n1 0 0 nan\n$EndNodes\n$Elements\n0\n$EndElements\n",
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n2\n1 0 0 0\n1 1 0 "
+      "0\n$EndNodes\n$Elements\n0\n$EndElements\n",
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n1\n1 0 0 0\n$EndNodes\n$Elements\n1\n1 1 0 1 "
+      "2\n$EndElements\n",
+      "$MeshFormat\n3.0 0 8\n$EndMeshFormat\n",
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n",
+      "$Nodes\n0\n$EndNodes\n",
+      "solid box\n",
+      ""};
+  for (const char* text : files) {
+    put_bytes(directory_ / "a", text);
+    EXPECT_THROW((void)read_mesh(directory_ / "a"), InputError) << text;
+  }
+  EXPECT_THROW((void)read_mesh(directory_), InputError);
+  EXPECT_THROW((void)read_mesh(directory_ / "none"), InputError);
+}
+
+TEST_F(Read, ReportsOrientationAndSparseTagsAsTheyAre) {
+  put_bytes(directory_ / "a",
+            "$MeshFormat\r\n2.2 0 8\r\n$EndMeshFormat\r\n$Comment\nwhatever $Nodes\n$EndComment\n$Nodes\n5\n"
+            "70000 0 0 0\n20 1 0 0\n30 0 1 0\n40 0 0 1\n50 5 5 5\n$EndNodes\n$Elements\n3\n"
+            "9 4 2 7 3 20 70000 30 40\n5 2 3 7 2 0 20 30 40\n6 15 2 1 4 30\n$EndElements\n");
+  const Mesh mesh = read_mesh(directory_ / "a");
+  ASSERT_EQ(mesh.points.size(), 5u);
+  EXPECT_EQ(mesh.points[4], Vec3(0, 0, 0));
+  EXPECT_EQ(mesh.tets, (std::vector<std::array<Mesh::Index, 4>>{{0, 4, 1, 2}}));
+  EXPECT_EQ(mesh.tet_in, (std::vector<std::int32_t>{3}));
+  EXPECT_EQ(mesh.triangle_on, (std::vector<std::int32_t>{2}));
+  EXPECT_EQ(mesh.point_on[0], model_face(2));
+  EXPECT_EQ(mesh.point_on[1], model_vertex(4));
+  EXPECT_EQ(mesh.point_on[3], (ModelRef{3, 0}));
+  EXPECT_EQ(mesh.point_on[4], model_region(3));
+}
+
+TEST_F(Read, UnknownElementTypesAreNamed) {
+  put_bytes(directory_ / "a",
+            "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n1\n1 0 0 0\n$EndNodes\n$Elements\n1\n1 11 0 1\n"
+            "$EndElements\n");
+  try {
+    (void)read_mesh(directory_ / "a");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("element type 11"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace octet

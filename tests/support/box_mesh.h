@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Hand-made classified meshes of boxes: a grid of cells, six tetrahedra in each.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <utility>
+
+#include "mesh/mesh.h"
+#include "mesh/model_outline.h"
+
+namespace octet::test {
+
+/// What a box mesh asks of the part: where a point lies, and how an edge or a face points there.
+struct BoxPart {
+  std::function<ModelRef(const Vec3&)> on;
+  std::function<Vec3(ModelRef, const Vec3&)> direction;
+};
+
+/// The box [0,a]x[0,b]x[0,c] with numbers of its own: entities sorted by their place.
+inline BoxPart plain_box(const Vec3& size) {
+  const auto on = [size](const Vec3& p) {
+    int code = 0, dim = 3;
+    for (int i = 0; i < 3; ++i) {
+      const int side = p[i] == 0.0 ? 0 : (p[i] == size[i] ? 2 : 1);
+      code = 3 * code + side;
+      if (side != 1) --dim;
+    }
+    int tag = 0;
+    for (int other = 0; other <= code; ++other) {
+      const int inside = (other % 3 == 1) + (other / 3 % 3 == 1) + (other / 9 == 1);
+      if (inside == dim) ++tag;
+    }
+    return ModelRef{dim, tag};
+  };
+  const auto direction = [size](ModelRef ref, const Vec3& p) {
+    Vec3 d = Vec3::Zero();
+    for (int i = 0; i < 3; ++i) {
+      const bool inside = p[i] > 0.0 && p[i] < size[i];
+      if (ref.dim == 1) d[i] = inside ? 1.0 : 0.0;
+      if (ref.dim == 2) d[i] = inside ? 0.0 : (p[i] == 0.0 ? -1.0 : 1.0);
+    }
+    return d;
+  };
+  return {on, direction};
+}
+
+namespace box_mesh_detail {
+
+inline void add_boundary(Mesh& mesh, const BoxPart& part) {
+  constexpr int kFace[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
+  std::map<std::array<Mesh::Index, 3>, bool> triangles;
+  std::map<std::array<Mesh::Index, 2>, bool> edges;
+  const auto at = [&mesh](Mesh::Index v) { return mesh.points[v]; };
+  for (const auto& t : mesh.tets)
+    for (const auto& f : kFace) {
+      std::array<Mesh::Index, 3> v = {t[f[0]], t[f[1]], t[f[2]]};
+      auto key = v;
+      std::sort(key.begin(), key.end());
+      if (!triangles.emplace(key, true).second) continue;
+      const Vec3 centre = (at(v[0]) + at(v[1]) + at(v[2])) / 3.0;
+      const ModelRef ref = part.on(centre);
+      if (ref.dim != 2) continue;
+      const Vec3 normal = (at(v[1]) - at(v[0])).cross(at(v[2]) - at(v[0]));
+      if (normal.dot(part.direction(ref, centre)) < 0.0) std::swap(v[1], v[2]);
+      mesh.triangles.push_back(v);
+      mesh.triangle_on.push_back(ref.tag);
+    }
+  for (const auto& t : mesh.triangles)
+    for (int k = 0; k < 3; ++k) {
+      Mesh::Index a = std::min(t[k], t[(k + 1) % 3]), b = std::max(t[k], t[(k + 1) % 3]);
+      if (!edges.emplace(std::array<Mesh::Index, 2>{a, b}, true).second) continue;
+      const Vec3 centre = 0.5 * (at(a) + at(b));
+      const ModelRef ref = part.on(centre);
+      if (ref.dim != 1) continue;
+      if ((at(b) - at(a)).dot(part.direction(ref, centre)) < 0.0) std::swap(a, b);
+      mesh.edges.push_back({a, b});
+      mesh.edge_on.push_back(ref.tag);
+    }
+}
+
+}  // namespace box_mesh_detail
+
+/// The grid's cells are cut along their main diagonals (Kuhn), so that neighbours fit.
+inline Mesh box_mesh(const BoxPart& part, const Vec3& size, const std::array<int, 3>& cells) {
+  Mesh mesh;
+  const auto index = [&cells](int i, int j, int k) {
+    return static_cast<Mesh::Index>((k * (cells[1] + 1) + j) * (cells[0] + 1) + i);
+  };
+  const auto along = [&](int axis, int i) {
+    return i == cells[axis] ? size[axis] : size[axis] * i / cells[axis];
+  };
+  for (int k = 0; k <= cells[2]; ++k)
+    for (int j = 0; j <= cells[1]; ++j)
+      for (int i = 0; i <= cells[0]; ++i) mesh.points.emplace_back(along(0, i), along(1, j), along(2, k));
+  for (const Vec3& p : mesh.points) mesh.point_on.push_back(part.on(p));
+  constexpr int kOrder[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
+  for (int k = 0; k < cells[2]; ++k)
+    for (int j = 0; j < cells[1]; ++j)
+      for (int i = 0; i < cells[0]; ++i)
+        for (int o = 0; o < 6; ++o) {
+          std::array<int, 3> c = {i, j, k};
+          std::array<Mesh::Index, 4> tet = {index(c[0], c[1], c[2])};
+          for (int s = 0; s < 3; ++s) {
+            ++c[kOrder[o][s]];
+            tet[s + 1] = index(c[0], c[1], c[2]);
+          }
+          if (o >= 3) std::swap(tet[2], tet[3]);
+          Vec3 centre = Vec3::Zero();
+          for (const Mesh::Index v : tet) centre += 0.25 * mesh.points[v];
+          mesh.tets.push_back(tet);
+          mesh.tet_in.push_back(part.on(centre).tag);
+        }
+  box_mesh_detail::add_boundary(mesh, part);
+  return mesh;
+}
+
+inline Mesh plain_box_mesh(int cells) {
+  const Vec3 size(3.0, 2.0, 1.0);
+  return box_mesh(plain_box(size), size, {cells, cells, cells});
+}
+
+/// The outline of plain_box, with bounding relations and two names.
+inline ModelOutline plain_box_outline(const Vec3& size, bool named) {
+  ModelOutline outline;
+  const BoxPart part = plain_box(size);
+  for (int code = 0; code < 27; ++code) {
+    const std::array<int, 3> c = {code / 9, code / 3 % 3, code % 3};
+    Vec3 p;
+    Box3 box;
+    for (int i = 0; i < 3; ++i) {
+      p[i] = 0.5 * c[i] * size[i];
+      box.lo[i] = c[i] == 2 ? size[i] : 0.0;
+      box.hi[i] = c[i] == 0 ? 0.0 : size[i];
+    }
+    const ModelRef ref = part.on(p);
+    OutlineEntity entity;
+    entity.tag = ref.tag;
+    entity.box = box;
+    for (int i = 0; i < 3; ++i)
+      if (c[i] == 1)
+        for (const double end : {0.0, size[i]}) {
+          Vec3 q = p;
+          q[i] = end;
+          const int tag = part.on(q).tag;
+          entity.bounded_by.push_back(ref.dim == 1 && end > 0.0 ? -tag : tag);
+        }
+    if (named && ref.dim == 2 && ref.tag == 3) entity.name = "bore \"A\"";
+    if (named && ref.dim == 3) entity.name = "body";
+    outline.entities[ref.dim].push_back(entity);
+  }
+  return outline;
+}
+
+}  // namespace octet::test
