@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// OCCT surfaces, curves and loops to ours: closed forms where there are any.
+#include "geom/occt/canonical.h"
+
+#include <fmt/format.h>
+
+#include <BRepTools.hxx>
+#include <BRepTopAdaptor_FClass2d.hxx>
+#include <BRep_Tool.hxx>
+#include <GeomAdaptor_Surface.hxx>
+#include <Geom_Circle.hxx>
+#include <Geom_ConicalSurface.hxx>
+#include <Geom_CylindricalSurface.hxx>
+#include <Geom_Ellipse.hxx>
+#include <Geom_Line.hxx>
+#include <Geom_Plane.hxx>
+#include <Geom_RectangularTrimmedSurface.hxx>
+#include <Geom_SphericalSurface.hxx>
+#include <Geom_ToroidalSurface.hxx>
+#include <Geom_TrimmedCurve.hxx>
+#include <Precision.hxx>
+#include <TopoDS.hxx>
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "geom/conics.h"
+#include "geom/occt/occt_curve.h"
+#include "geom/occt/occt_surface.h"
+#include "geom/quadrics.h"
+#include "geom/torus.h"
+
+namespace octet {
+namespace {
+
+Axes3 axes_of(const gp_Ax3& a) {
+  return {to_vec(a.Location()), to_vec(a.XDirection().XYZ()), to_vec(a.YDirection().XYZ()),
+          to_vec(a.Direction().XYZ())};
+}
+
+/// Start of a period that holds [lo, hi] in its middle: rounding across an end of a partial range then stays
+/// near that end.
+double period_start(double lo, double hi) { return lo - 0.5 * std::max(0.0, kTwoPi - (hi - lo)); }
+
+Handle(Geom_Surface) basis_of(Handle(Geom_Surface) surface) {
+  while (true) {
+    const auto trimmed = Handle(Geom_RectangularTrimmedSurface)::DownCast(surface);
+    if (trimmed.IsNull()) return surface;
+    surface = trimmed->BasisSurface();
+  }
+}
+
+std::shared_ptr<const Surface> make_closed_form(const Handle(Geom_Surface) & surface, const UvCell& cell) {
+  const double u0 = period_start(cell.lo.x(), cell.hi.x());
+  if (const auto s = Handle(Geom_Plane)::DownCast(surface); !s.IsNull())
+    return make_plane(axes_of(s->Position()));
+  if (const auto s = Handle(Geom_CylindricalSurface)::DownCast(surface); !s.IsNull())
+    return make_cylinder(axes_of(s->Position()), s->Radius(), u0);
+  if (const auto s = Handle(Geom_ConicalSurface)::DownCast(surface); !s.IsNull())
+    return make_cone(axes_of(s->Position()), s->SemiAngle(), s->RefRadius(), u0);
+  if (const auto s = Handle(Geom_SphericalSurface)::DownCast(surface); !s.IsNull())
+    return make_sphere(axes_of(s->Position()), s->Radius(), u0);
+  if (const auto s = Handle(Geom_ToroidalSurface)::DownCast(surface); !s.IsNull())
+    return make_torus(axes_of(s->Position()), s->MajorRadius(), s->MinorRadius(), u0,
+                      period_start(cell.lo.y(), cell.hi.y()));
+  return nullptr;
+}
+
+UvCell cell_of(const TopoDS_Face& face) {
+  UvCell cell;
+  BRepTools::UVBounds(face, cell.lo.x(), cell.hi.x(), cell.lo.y(), cell.hi.y());
+  return cell;
+}
+
+/// FClass2d::Perform is const and was found to give the same answers from four threads; it is built once.
+class OcctTrim final : public Trim {
+ public:
+  OcctTrim(const TopoDS_Face& face, double uv_tolerance) : classifier_(face, uv_tolerance) {}
+
+  TrimSide side(const Vec2& uv) const override {
+    switch (classifier_.Perform(gp_Pnt2d(uv.x(), uv.y()), true)) {
+      case TopAbs_IN:
+        return TrimSide::kIn;
+      case TopAbs_ON:
+        return TrimSide::kOn;
+      default:
+        return TrimSide::kOut;
+    }
+  }
+
+ private:
+  BRepTopAdaptor_FClass2d classifier_;
+};
+
+}  // namespace
+
+std::shared_ptr<const Surface> make_surface(const TopoDS_Face& face, int tag) {
+  const Handle(Geom_Surface) surface = basis_of(BRep_Tool::Surface(face));
+  if (surface.IsNull()) throw ModelError(fmt::format("Face {} has no surface", tag), model_face(tag));
+  const UvCell cell = cell_of(TopoDS::Face(face.Oriented(TopAbs_FORWARD)));
+  if (auto closed = make_closed_form(surface, cell)) return closed;
+  const bool bounded = cell.lo.allFinite() && cell.hi.allFinite() &&
+                       cell.lo.cwiseAbs().maxCoeff() < Precision::Infinite() &&
+                       cell.hi.cwiseAbs().maxCoeff() < Precision::Infinite() && cell.size().minCoeff() > 0.0;
+  if (!bounded) throw ModelError(fmt::format("Face {} has no bounded range", tag), model_face(tag));
+  return make_free_form(surface, cell);
+}
+
+std::shared_ptr<const Curve> make_curve(const TopoDS_Edge& edge) {
+  double t0 = 0.0, t1 = 0.0;
+  Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, t0, t1);
+  while (true) {
+    const auto trimmed = Handle(Geom_TrimmedCurve)::DownCast(curve);
+    if (trimmed.IsNull()) break;
+    curve = trimmed->BasisCurve();
+  }
+  if (const auto c = Handle(Geom_Line)::DownCast(curve); !c.IsNull())
+    return make_line(to_vec(c->Position().Location()), to_vec(c->Position().Direction().XYZ()), t0, t1);
+  if (const auto c = Handle(Geom_Circle)::DownCast(curve); !c.IsNull())
+    return make_circle(axes_of(gp_Ax3(c->Position())), c->Radius(), t0, t1);
+  if (const auto c = Handle(Geom_Ellipse)::DownCast(curve); !c.IsNull())
+    return make_ellipse(axes_of(gp_Ax3(c->Position())), c->MajorRadius(), c->MinorRadius(), t0, t1);
+  return make_free_curve(curve, t0, t1);
+}
+
+std::shared_ptr<const Trim> make_trim(const TopoDS_Face& face) {
+  const TopoDS_Face forward = TopoDS::Face(face.Oriented(TopAbs_FORWARD));
+  const GeomAdaptor_Surface adaptor(BRep_Tool::Surface(forward));
+  const double tolerance =
+      std::min(adaptor.UResolution(Precision::Confusion()), adaptor.VResolution(Precision::Confusion()));
+  return std::make_shared<OcctTrim>(forward, std::max(tolerance, 1e-14));
+}
+
+}  // namespace octet

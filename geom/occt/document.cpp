@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A CAD file to an OCCT shape with its names, colours and unit.
+#include "geom/occt/document.h"
+
+#include <fmt/format.h>
+
+#include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
+#include <IGESCAFControl_Reader.hxx>
+#include <IGESControl_Controller.hxx>
+#include <IGESData_IGESModel.hxx>
+#include <Interface_Static.hxx>
+#include <Quantity_Color.hxx>
+#include <STEPCAFControl_Reader.hxx>
+#include <STEPControl_Controller.hxx>
+#include <Standard_Failure.hxx>
+#include <TColStd_SequenceOfAsciiString.hxx>
+#include <TDF_ChildIterator.hxx>
+#include <TDF_LabelSequence.hxx>
+#include <TDataStd_Name.hxx>
+#include <TDocStd_Document.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS_Compound.hxx>
+#include <XCAFApp_Application.hxx>
+#include <XCAFDoc_ColorTool.hxx>
+#include <XCAFDoc_DocumentTool.hxx>
+#include <XCAFDoc_ShapeTool.hxx>
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <fstream>
+
+#include "base/error.h"
+
+namespace octet {
+namespace {
+
+std::string lower(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+std::string label_name(const TDF_Label& label) {
+  Handle(TDataStd_Name) attribute;
+  if (!label.FindAttribute(TDataStd_Name::GetID(), attribute)) return {};
+  const TCollection_ExtendedString& wide = attribute->Get();
+  std::string text(static_cast<std::size_t>(wide.LengthOfCString()) + 1, '\0');
+  Standard_PCharacter start = text.data();
+  wide.ToUTF8CString(start);
+  text.resize(text.find('\0'));
+  // OCCT writes its own marks where the file has no name.
+  if (text == "NONE" || text.rfind("=>[", 0) == 0) return {};
+  return text;
+}
+
+std::string label_colour(const TDF_Label& label) {
+  Quantity_Color colour;
+  const Handle(XCAFDoc_ColorTool) tool = XCAFDoc_DocumentTool::ColorTool(label);
+  if (!tool->GetColor(label, XCAFDoc_ColorSurf, colour) && !tool->GetColor(label, XCAFDoc_ColorGen, colour))
+    return {};
+  Standard_Real r = 0, g = 0, b = 0;
+  colour.Values(r, g, b, Quantity_TOC_sRGB);
+  const auto byte = [](double x) { return static_cast<int>(std::lround(255.0 * std::clamp(x, 0.0, 1.0))); };
+  return fmt::format("#{:02x}{:02x}{:02x}", byte(r), byte(g), byte(b));
+}
+
+/// Walks an assembly, placing each label's shape where the instance stands.
+class LabelWalk {
+ public:
+  explicit LabelWalk(std::vector<ShapeLabel>& labels) : labels_(labels) {}
+
+  void visit(const TDF_Label& label, const TopLoc_Location& place, const std::string& instance_name) {
+    TDF_Label target = label;
+    if (XCAFDoc_ShapeTool::IsReference(label)) XCAFDoc_ShapeTool::GetReferredShape(label, target);
+    const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(target);
+    if (shape.IsNull()) return;
+    std::string name = label_name(target);
+    if (name.empty()) name = instance_name;
+    std::string colour = label_colour(label);
+    if (colour.empty()) colour = label_colour(target);
+    add(shape.Moved(place), name, colour);
+    visit_components(target, place);
+    visit_sub_shapes(target, place);
+  }
+
+ private:
+  void visit_components(const TDF_Label& target, const TopLoc_Location& place) {
+    TDF_LabelSequence components;
+    XCAFDoc_ShapeTool::GetComponents(target, components);
+    for (const TDF_Label& component : components)
+      visit(component, place * XCAFDoc_ShapeTool::GetLocation(component), label_name(component));
+  }
+
+  void visit_sub_shapes(const TDF_Label& target, const TopLoc_Location& place) {
+    TDF_LabelSequence parts;
+    XCAFDoc_ShapeTool::GetSubShapes(target, parts);
+    for (const TDF_Label& part : parts) {
+      const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(part);
+      if (!shape.IsNull()) add(shape.Moved(place), label_name(part), label_colour(part));
+    }
+  }
+
+  void add(const TopoDS_Shape& shape, const std::string& name, const std::string& colour) {
+    if (!name.empty() || !colour.empty()) labels_.push_back({shape, name, colour});
+  }
+
+  std::vector<ShapeLabel>& labels_;
+};
+
+void collect(const Handle(TDocStd_Document) & document, CadDocument& result) {
+  const Handle(XCAFDoc_ShapeTool) tool = XCAFDoc_DocumentTool::ShapeTool(document->Main());
+  TDF_LabelSequence free;
+  tool->GetFreeShapes(free);
+  TopoDS_Compound all;
+  BRep_Builder builder;
+  builder.MakeCompound(all);
+  LabelWalk walk(result.labels);
+  TopoDS_Shape only;
+  int count = 0;
+  for (const TDF_Label& label : free) {
+    const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(label);
+    if (shape.IsNull()) continue;
+    only = shape;
+    ++count;
+    builder.Add(all, shape);
+    walk.visit(label, TopLoc_Location(), "");
+  }
+  if (count > 0) result.shape = count == 1 ? only : TopoDS_Shape(all);
+}
+
+/// An XCAF document that is closed when it goes.
+class ScopedDocument {
+ public:
+  ScopedDocument() { XCAFApp_Application::GetApplication()->NewDocument("BinXCAF", document_); }
+  ~ScopedDocument() {
+    try {
+      XCAFApp_Application::GetApplication()->Close(document_);
+    } catch (const Standard_Failure&) {
+      // Nothing is lost: the document is only our scratch paper.
+    }
+  }
+  ScopedDocument(const ScopedDocument&) = delete;
+  ScopedDocument& operator=(const ScopedDocument&) = delete;
+  Handle(TDocStd_Document) & get() { return document_; }
+
+ private:
+  Handle(TDocStd_Document) document_;
+};
+
+std::string quoted(const std::filesystem::path& path) { return "'" + path.string() + "'"; }
+
+/// A complete STEP file ends with END-ISO-10303-21 (ISO 10303-21, 5.2); OCCT reads on without it.
+void require_step_end(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary | std::ios::ate);
+  const auto size = static_cast<std::streamoff>(in.tellg());
+  const std::streamoff tail = std::min<std::streamoff>(size, 4096);
+  in.seekg(size - tail);
+  std::string text(static_cast<std::size_t>(tail), '\0');
+  in.read(text.data(), tail);
+  if (text.find("END-ISO-10303-21") == std::string::npos)
+    throw InputError("STEP file " + quoted(path) + " is truncated: it does not end with END-ISO-10303-21");
+}
+
+CadDocument read_step(const std::filesystem::path& path) {
+  require_step_end(path);
+  STEPControl_Controller::Init();
+  Interface_Static::SetCVal("xstep.cascade.unit", "MM");
+  Interface_Static::SetIVal("read.stepcaf.subshapes.name", 1);
+  STEPCAFControl_Reader reader;
+  reader.SetColorMode(true);
+  reader.SetNameMode(true);
+  reader.SetLayerMode(false);
+  reader.SetPropsMode(false);
+  if (reader.ReadFile(path.string().c_str()) != IFSelect_RetDone)
+    throw InputError("STEP file " + quoted(path) + " cannot be parsed: it is damaged or truncated");
+  CadDocument result;
+  TColStd_SequenceOfAsciiString lengths, angles, solid_angles;
+  reader.ChangeReader().FileUnits(lengths, angles, solid_angles);
+  if (!lengths.IsEmpty()) result.unit = lower(lengths.First().ToCString());
+  ScopedDocument document;
+  if (reader.Transfer(document.get())) collect(document.get(), result);
+  return result;
+}
+
+std::string iges_unit(int flag, const std::string& name) {
+  switch (flag) {
+    case 1:
+      return "inch";
+    case 2:
+      return "millimetre";
+    case 4:
+      return "foot";
+    case 5:
+      return "mile";
+    case 6:
+      return "metre";
+    case 7:
+      return "kilometre";
+    case 8:
+      return "mil";
+    case 9:
+      return "micron";
+    case 10:
+      return "centimetre";
+    case 11:
+      return "microinch";
+    default:
+      return name.empty() ? "millimetre" : lower(name);
+  }
+}
+
+CadDocument read_iges(const std::filesystem::path& path) {
+  IGESControl_Controller::Init();
+  Interface_Static::SetCVal("xstep.cascade.unit", "MM");
+  IGESCAFControl_Reader reader;
+  reader.SetColorMode(true);
+  reader.SetNameMode(true);
+  if (reader.ReadFile(path.string().c_str()) != IFSelect_RetDone)
+    throw InputError("IGES file " + quoted(path) + " cannot be parsed: it is damaged or truncated");
+  CadDocument result;
+  const Handle(IGESData_IGESModel) model = reader.IGESModel();
+  if (!model.IsNull()) {
+    const IGESData_GlobalSection& global = model->GlobalSection();
+    const std::string name = global.UnitName().IsNull() ? "" : global.UnitName()->ToCString();
+    result.unit = iges_unit(global.UnitFlag(), name);
+  }
+  ScopedDocument document;
+  if (reader.Transfer(document.get())) collect(document.get(), result);
+  return result;
+}
+
+CadDocument read_brep(const std::filesystem::path& path) {
+  CadDocument result;
+  BRep_Builder builder;
+  if (!BRepTools::Read(result.shape, path.string().c_str(), builder))
+    throw InputError("BREP file " + quoted(path) + " cannot be parsed: it is damaged or truncated");
+  return result;
+}
+
+}  // namespace
+
+CadDocument read_document(const std::filesystem::path& path, FileKind kind) {
+  CadDocument result;
+  try {
+    switch (kind) {
+      case FileKind::kStep:
+        result = read_step(path);
+        break;
+      case FileKind::kIges:
+        result = read_iges(path);
+        break;
+      case FileKind::kBrep:
+        result = read_brep(path);
+        break;
+    }
+  } catch (const Standard_Failure& failure) {
+    throw InputError(fmt::format("file {} cannot be read: {}", quoted(path), failure.GetMessageString()));
+  }
+  if (result.shape.IsNull() || !TopExp_Explorer(result.shape, TopAbs_FACE).More())
+    throw InputError("file " + quoted(path) + " holds no shape with faces");
+  return result;
+}
+
+}  // namespace octet

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// General fuse of solids that touch, so that what they share is one entity.
+#include <fmt/format.h>
+
+#include <BOPAlgo_Builder.hxx>
+#include <BRepBndLib.hxx>
+#include <BRepBuilderAPI_Copy.hxx>
+#include <BRep_Builder.hxx>
+#include <Bnd_Box.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_ListOfShape.hxx>
+#include <TopTools_MapOfShape.hxx>
+#include <algorithm>
+
+#include "base/error.h"
+#include "geom/occt/solids.h"
+
+namespace octet {
+namespace {
+
+/// Which solids have a box that meets another's.
+std::vector<bool> may_touch(const std::vector<TopoDS_Shape>& solids) {
+  std::vector<Bnd_Box> boxes(solids.size());
+  for (std::size_t i = 0; i < solids.size(); ++i) BRepBndLib::Add(solids[i], boxes[i], false);
+  std::vector<bool> touch(solids.size(), false);
+  for (std::size_t i = 0; i < solids.size(); ++i)
+    for (std::size_t j = i + 1; j < solids.size(); ++j)
+      if (!boxes[i].IsOut(boxes[j])) touch[i] = touch[j] = true;
+  return touch;
+}
+
+/// The solids a fuse made of `solid`, in the order of the result.
+void append_images(const TopoDS_Shape& solid, BRepTools_History& history, TopTools_MapOfShape& seen,
+                   std::vector<TopoDS_Shape>& solids) {
+  const TopTools_ListOfShape& images = history.Modified(solid);
+  if (images.IsEmpty()) {
+    if (!history.IsRemoved(solid) && seen.Add(solid)) solids.push_back(solid);
+    return;
+  }
+  for (const TopoDS_Shape& image : images)
+    if (image.ShapeType() == TopAbs_SOLID && seen.Add(image)) solids.push_back(image);
+}
+
+}  // namespace
+
+void fuse_touching(SolidSet& set) {
+  const std::vector<bool> touch = may_touch(set.solids);
+  if (std::count(touch.begin(), touch.end(), true) < 2) return;
+  BOPAlgo_Builder fuse;
+  for (std::size_t i = 0; i < set.solids.size(); ++i)
+    if (touch[i]) fuse.AddArgument(set.solids[i]);
+  fuse.SetNonDestructive(true);
+  fuse.SetRunParallel(false);
+  fuse.Perform();
+  if (fuse.HasErrors())
+    throw ModelError("the solids that touch cannot be joined along common faces (general fuse failed)", {});
+  const Handle(BRepTools_History) history = fuse.History();
+  std::vector<TopoDS_Shape> solids;
+  TopTools_MapOfShape seen;
+  for (std::size_t i = 0; i < set.solids.size(); ++i) {
+    if (!touch[i]) {
+      solids.push_back(set.solids[i]);
+    } else {
+      append_images(set.solids[i], *history, seen, solids);
+    }
+  }
+  if (solids.size() != set.solids.size())
+    set.notes.push_back(fmt::format("solids interfere: {} solids became {} when they were fused",
+                                    set.solids.size(), solids.size()));
+  if (history->HasModified() || history->HasRemoved())
+    set.notes.push_back("solids that touch were fused; shared faces, edges and vertices became one");
+  set.solids = std::move(solids);
+  set.history->Merge(history);
+}
+
+}  // namespace octet

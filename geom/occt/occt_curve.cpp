@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A curve without closed form: B-spline, Bezier, hyperbola, parabola, offset.
+#include "geom/occt/occt_curve.h"
+
+#include <Geom_BSplineCurve.hxx>
+#include <Geom_BezierCurve.hxx>
+#include <Geom_TrimmedCurve.hxx>
+#include <algorithm>
+#include <cmath>
+
+#include "geom/occt/canonical.h"
+
+namespace octet {
+namespace {
+
+constexpr double kTurn = 0.15;       // sample chords turn less than this, radians
+constexpr int kMinPieces = 8;        // per knot span
+constexpr int kMaxBisections = 10;   // of a piece
+constexpr int kRootIterations = 60;  // bisections halve to the last bit
+
+class OcctCurve final : public Curve {
+ public:
+  OcctCurve(const Handle(Geom_Curve) & curve, double t0, double t1) : curve_(curve), t0_(t0), t1_(t1) {
+    const std::vector<double> breaks = knots();
+    sample_t_.push_back(t0);
+    for (std::size_t i = 0; i + 1 < breaks.size(); ++i)
+      for (int k = 0; k < kMinPieces; ++k) {
+        const double step = (breaks[i + 1] - breaks[i]) / kMinPieces;
+        const double a = breaks[i] + k * step;
+        sample(a, k + 1 == kMinPieces ? breaks[i + 1] : a + step, 0);
+      }
+    for (const double t : sample_t_) sample_.push_back(point(t));
+    for (const Vec3& p : sample_) scale_ = std::max(scale_, p.cwiseAbs().maxCoeff());
+  }
+
+  Vec3 point(double t) const override {
+    gp_Pnt p;
+    curve_->D0(t, p);
+    return to_vec(p);
+  }
+
+  Vec3 derivative(double t) const override {
+    gp_Pnt p;
+    gp_Vec d;
+    curve_->D1(t, p, d);
+    return to_vec(d);
+  }
+
+  double project(const Vec3& p, double hint) const override;
+  void cut(int axis, double value, std::vector<double>& parameters) const override;
+  const char* kind() const override { return "free"; }
+
+ private:
+  [[nodiscard]] std::vector<double> knots() const;
+  void sample(double a, double b, int depth);
+  [[nodiscard]] double refine(const Vec3& p, double t, double lo, double hi) const;
+  [[nodiscard]] double root(int axis, double value, double a, double b) const;
+  void cut_piece(int axis, double value, double a, double b, std::vector<double>& parameters) const;
+
+  Handle(Geom_Curve) curve_;
+  double t0_, t1_;
+  double scale_ = 0.0;
+  std::vector<double> sample_t_;
+  std::vector<Vec3> sample_;
+};
+
+std::vector<double> OcctCurve::knots() const {
+  std::vector<double> breaks = {t0_, t1_};
+  const auto spline = Handle(Geom_BSplineCurve)::DownCast(curve_);
+  if (!spline.IsNull()) {
+    const double period = spline->IsPeriodic() ? spline->Period() : 0.0;
+    const double nearly = 1e-9 * (t1_ - t0_);
+    for (int i = 1; i <= spline->NbKnots(); ++i) {
+      double k = spline->Knot(i);
+      if (period > 0.0) k += period * std::ceil((t0_ - k) / period);
+      for (; k < t1_ - nearly; k += period) {
+        if (k > t0_ + nearly) breaks.push_back(k);
+        if (period <= 0.0) break;
+      }
+    }
+  }
+  std::sort(breaks.begin(), breaks.end());
+  breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
+  return breaks;
+}
+
+void OcctCurve::sample(double a, double b, int depth) {
+  const Vec3 da = derivative(a), db = derivative(b);
+  const double turn = std::atan2(da.cross(db).norm(), da.dot(db));
+  if (turn > kTurn && depth < kMaxBisections) {
+    sample(a, 0.5 * (a + b), depth + 1);
+    sample(0.5 * (a + b), b, depth + 1);
+    return;
+  }
+  sample_t_.push_back(b);
+}
+
+/// Nearest point of the curve on [lo, hi]: Newton on the derivative of the distance, safeguarded by
+/// bisection.
+double OcctCurve::refine(const Vec3& p, double t, double lo, double hi) const {
+  for (int iteration = 0; iteration < 60; ++iteration) {
+    gp_Pnt at;
+    gp_Vec d1, d2;
+    curve_->D2(t, at, d1, d2);
+    const Vec3 r = to_vec(at) - p, d = to_vec(d1);
+    const double slope = r.dot(d), bend = d.squaredNorm() + r.dot(to_vec(d2));
+    if (slope > 0.0) {
+      hi = t;
+    } else {
+      lo = t;
+    }
+    double next = bend > 0.0 ? t - slope / bend : 0.5 * (lo + hi);
+    if (!(next >= lo && next <= hi)) next = 0.5 * (lo + hi);
+    const double moved = std::abs(next - t);
+    t = next;
+    if (moved * d.norm() <= 1e-15 * scale_ || hi - lo <= 1e-16 * std::abs(t)) break;
+  }
+  return t;
+}
+
+double OcctCurve::project(const Vec3& p, double hint) const {
+  const std::size_t n = sample_.size();
+  double best = std::numeric_limits<double>::infinity();
+  std::size_t where = 0;
+  const auto here = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(
+      std::lower_bound(sample_t_.begin(), sample_t_.end(), hint) - sample_t_.begin(), 0,
+      static_cast<std::ptrdiff_t>(n) - 1));
+  // The hint's own sample wins ties, so that equal branches keep the caller's.
+  for (std::size_t i = 0; i < n; ++i) {
+    const double d = (sample_[i] - p).squaredNorm();
+    if (d < best || (d == best && i == here)) {
+      best = d;
+      where = i;
+    }
+  }
+  const double lo = sample_t_[where > 0 ? where - 1 : 0], hi = sample_t_[std::min(where + 1, n - 1)];
+  const bool hint_inside = hint >= lo && hint <= hi;
+  const double t = refine(p, hint_inside ? hint : sample_t_[where], lo, hi);
+  double result = std::clamp(t, t0_, t1_);
+  double distance = (point(result) - p).squaredNorm();
+  for (const double end : {lo, hi}) {
+    const double d = (point(end) - p).squaredNorm();
+    if (d < distance) {
+      distance = d;
+      result = end;
+    }
+  }
+  return result;
+}
+
+double OcctCurve::root(int axis, double value, double a, double b) const {
+  double fa = point(a)[axis] - value;
+  double t = 0.5 * (a + b);
+  for (int iteration = 0; iteration < kRootIterations; ++iteration) {
+    gp_Pnt at;
+    gp_Vec d;
+    curve_->D1(t, at, d);
+    const double f = to_vec(at)[axis] - value, slope = to_vec(d)[axis];
+    if (f == 0.0) return t;
+    if ((f > 0.0) == (fa > 0.0)) {
+      a = t;
+      fa = f;
+    } else {
+      b = t;
+    }
+    double next = slope != 0.0 ? t - f / slope : 0.5 * (a + b);
+    if (!(next > std::min(a, b) && next < std::max(a, b))) next = 0.5 * (a + b);
+    if (next == t) return t;
+    t = next;
+  }
+  return t;
+}
+
+/// A piece turns little: at most one extremum of the coordinate, found where its derivative changes sign.
+void OcctCurve::cut_piece(int axis, double value, double a, double b, std::vector<double>& parameters) const {
+  const double fa = point(a)[axis] - value, fb = point(b)[axis] - value;
+  if (fa == 0.0) parameters.push_back(a);
+  if (fb == 0.0 && b == t1_) parameters.push_back(b);
+  if (fa == 0.0 || fb == 0.0) return;
+  if ((fa > 0.0) != (fb > 0.0)) {
+    parameters.push_back(root(axis, value, a, b));
+    return;
+  }
+  double lo = a, hi = b;
+  const double slope_a = derivative(a)[axis];
+  if (slope_a * derivative(b)[axis] >= 0.0 || slope_a * fa >= 0.0) return;
+  for (int iteration = 0; iteration < kRootIterations; ++iteration) {
+    const double middle = 0.5 * (lo + hi);
+    const double f = point(middle)[axis] - value;
+    if ((f > 0.0) != (fa > 0.0)) {
+      parameters.push_back(root(axis, value, a, middle));
+      parameters.push_back(root(axis, value, middle, b));
+      return;
+    }
+    if (derivative(middle)[axis] * slope_a > 0.0) {
+      lo = middle;
+    } else {
+      hi = middle;
+    }
+  }
+}
+
+void OcctCurve::cut(int axis, double value, std::vector<double>& parameters) const {
+  for (std::size_t i = 0; i + 1 < sample_.size(); ++i) {
+    const double lo = std::min(sample_[i][axis], sample_[i + 1][axis]);
+    const double hi = std::max(sample_[i][axis], sample_[i + 1][axis]);
+    const double bulge = kTurn * (sample_[i + 1] - sample_[i]).norm();
+    if (value < lo - bulge || value > hi + bulge) continue;
+    cut_piece(axis, value, sample_t_[i], sample_t_[i + 1], parameters);
+  }
+  std::sort(parameters.begin(), parameters.end());
+}
+
+}  // namespace
+
+std::shared_ptr<const Curve> make_free_curve(const Handle(Geom_Curve) & curve, double t0, double t1) {
+  return std::make_shared<OcctCurve>(curve, t0, t1);
+}
+
+}  // namespace octet

@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// All roots of a segment and a free-form surface, by subdivision down to patches with one root at most.
+#include "geom/occt/patch_tree.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace octet {
+namespace {
+
+constexpr int kSamples = 4;         // per direction: resolves the second derivatives of a bicubic span
+constexpr double kInflate = 1.5;    // sampled bounds to bounds
+constexpr double kFlat = 0.02;      // deviation / size of a leaf: about 0.16 radians of turning
+constexpr int kMaxDepth = 14;       // of a leaf below its knot span
+constexpr int kMaxBisections = 48;  // of a leaf while roots are isolated
+constexpr int kBudget = 4000;       // cells looked at in one leaf before the rest is taken as touching
+constexpr double kUnique = 0.7;     // a contraction: Newton from the centre converges to the only root
+
+/// The part of the segment inside a box, as an interval of t.
+std::optional<std::pair<double, double>> clip(const Vec3& p, const Vec3& d, const Box3& box) {
+  double lo = 0.0, hi = 1.0;
+  for (int i = 0; i < 3; ++i) {
+    if (d[i] == 0.0) {
+      if (p[i] < box.lo[i] || p[i] > box.hi[i]) return std::nullopt;
+      continue;
+    }
+    double a = (box.lo[i] - p[i]) / d[i], b = (box.hi[i] - p[i]) / d[i];
+    if (a > b) std::swap(a, b);
+    lo = std::max(lo, a);
+    hi = std::min(hi, b);
+    if (lo > hi) return std::nullopt;
+  }
+  return std::make_pair(lo, hi);
+}
+
+Vec3 cross_of(const SurfaceJet& jet) { return jet.du.cross(jet.dv); }
+
+}  // namespace
+
+struct PatchTree::Segment {
+  Vec3 p, d;
+  double length, tolerance;
+};
+
+PatchTree::PatchTree(Evaluate evaluate, const std::vector<double>& u_breaks,
+                     const std::vector<double>& v_breaks)
+    : evaluate_(std::move(evaluate)) {
+  range_ = {{u_breaks.front(), v_breaks.front()}, {u_breaks.back(), v_breaks.back()}};
+  for (std::size_t i = 0; i + 1 < u_breaks.size(); ++i)
+    for (std::size_t j = 0; j + 1 < v_breaks.size(); ++j)
+      refine({{u_breaks[i], v_breaks[j]}, {u_breaks[i + 1], v_breaks[j + 1]}}, 0);
+  std::vector<std::int32_t> order(leaves_.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<std::int32_t>(i);
+  nodes_.reserve(2 * leaves_.size());
+  build(order, 0, order.size());
+  const Box3& all = box();
+  tolerance_ = 1e-13 * (all.diagonal() + all.lo.cwiseAbs().cwiseMax(all.hi.cwiseAbs()).maxCoeff());
+}
+
+PatchTree::Patch PatchTree::measured(const UvCell& cell) const {
+  Patch patch;
+  patch.cell = cell;
+  for (int i = 0; i < kSamples; ++i)
+    for (int j = 0; j < kSamples; ++j) {
+      const Vec2 share(i / (kSamples - 1.0), j / (kSamples - 1.0));
+      const SurfaceJet jet = evaluate_(cell.lo + share.cwiseProduct(cell.size()), 2);
+      patch.second = patch.second.cwiseMax(Vec3(jet.duu.norm(), jet.duv.norm(), jet.dvv.norm()));
+      patch.box.add(jet.p);
+    }
+  patch.second *= kInflate;
+  return patch;
+}
+
+void PatchTree::refine(const UvCell& cell, int depth) {
+  Patch patch = measured(cell);
+  const Vec2 h = cell.size();
+  const double bend_u = h.x() * h.x() * patch.second[0] / 8.0, bend_v = h.y() * h.y() * patch.second[2] / 8.0;
+  if (bend_u + bend_v > kFlat * patch.box.diagonal() && depth < kMaxDepth) {
+    const int axis = bend_u >= bend_v ? 0 : 1;
+    UvCell left = cell, right = cell;
+    left.hi[axis] = right.lo[axis] = cell.centre()[axis];
+    refine(left, depth + 1);
+    refine(right, depth + 1);
+    return;
+  }
+  patch.box = patch.box.grown(bend_u + bend_v);
+  leaves_.push_back(patch);
+}
+
+std::int32_t PatchTree::build(std::vector<std::int32_t>& order, std::size_t begin, std::size_t end) {
+  const auto index = static_cast<std::int32_t>(nodes_.size());
+  nodes_.emplace_back();
+  Box3 box;
+  for (std::size_t i = begin; i < end; ++i) box.add(leaves_[order[i]].box);
+  nodes_[index].box = box;
+  if (end - begin == 1) {
+    nodes_[index].right = order[begin];
+    return index;
+  }
+  Eigen::Index axis = 0;
+  box.size().maxCoeff(&axis);
+  const std::size_t middle = (begin + end) / 2;
+  std::nth_element(order.begin() + begin, order.begin() + middle, order.begin() + end, [&](int a, int b) {
+    const double ca = leaves_[a].box.centre()[axis], cb = leaves_[b].box.centre()[axis];
+    return ca != cb ? ca < cb : a < b;
+  });
+  const std::int32_t left = build(order, begin, middle);
+  const std::int32_t right = build(order, middle, end);
+  nodes_[index].left = left;
+  nodes_[index].right = right;
+  return index;
+}
+
+void PatchTree::intersect(const Vec3& p, const Vec3& q, std::vector<SurfaceRoot>& roots) const {
+  Segment segment{p, q - p, (q - p).norm(), tolerance_};
+  segment.tolerance += 1e-15 * (p.cwiseAbs().maxCoeff() + q.cwiseAbs().maxCoeff());
+  if (segment.length == 0.0) return;
+  std::vector<SurfaceRoot> found;
+  std::array<std::int32_t, 128> stack;
+  std::size_t top = 0;
+  stack[top++] = 0;
+  while (top > 0) {
+    const Node& node = nodes_[stack[--top]];
+    if (!clip(segment.p, segment.d, node.box.grown(segment.tolerance))) continue;
+    if (node.left < 0) {
+      solve(segment, leaves_[node.right], found);
+      continue;
+    }
+    stack[top++] = node.left;
+    stack[top++] = node.right;
+  }
+  std::stable_sort(found.begin(), found.end(),
+                   [](const SurfaceRoot& a, const SurfaceRoot& b) { return a.t < b.t; });
+  const std::size_t first = roots.size();
+  for (const SurfaceRoot& root : found) add(segment, root, roots, first);
+}
+
+void PatchTree::solve(const Segment& segment, const Patch& leaf, std::vector<SurfaceRoot>& roots) const {
+  if (is_unique(segment, leaf, leaf.cell)) {
+    SurfaceRoot root;
+    if (newton(segment, leaf.cell, root)) roots.push_back(root);
+    return;
+  }
+  if (coincide(segment, leaf, roots)) return;
+  int budget = kBudget;
+  solve_cell(segment, leaf, leaf.cell, 0, budget, roots);
+}
+
+void PatchTree::solve_cell(const Segment& segment, const Patch& leaf, const UvCell& cell, int depth,
+                           int& budget, std::vector<SurfaceRoot>& roots) const {
+  if (--budget < 0) return;
+  Box3 box;
+  for (const double u : {cell.lo.x(), cell.hi.x()})
+    for (const double v : {cell.lo.y(), cell.hi.y()}) box.add(evaluate_({u, v}, 0).p);
+  const Vec2 h = cell.size();
+  const double bend_u = h.x() * h.x() * leaf.second[0] / 8.0, bend_v = h.y() * h.y() * leaf.second[2] / 8.0;
+  const double size = box.diagonal();
+  if (!clip(segment.p, segment.d, box.grown(bend_u + bend_v + segment.tolerance))) return;
+  SurfaceRoot root;
+  if (is_unique(segment, leaf, cell)) {
+    if (newton(segment, cell, root)) roots.push_back(root);
+    return;
+  }
+  // A patch that bends less than rounding holds nothing that a further bisection could tell apart.
+  if (depth >= kMaxBisections ||
+      (bend_u + bend_v <= 0.25 * segment.tolerance && size <= 1e-3 * leaf.box.diagonal())) {
+    if (touch(segment, cell, root)) roots.push_back(root);
+    return;
+  }
+  const SurfaceJet jet = evaluate_(cell.centre(), 1);
+  const int axis = jet.du.norm() * h.x() + bend_u >= jet.dv.norm() * h.y() + bend_v ? 0 : 1;
+  UvCell left = cell, right = cell;
+  left.hi[axis] = right.lo[axis] = cell.centre()[axis];
+  solve_cell(segment, leaf, left, depth + 1, budget, roots);
+  solve_cell(segment, leaf, right, depth + 1, budget, roots);
+}
+
+/// The surface seen along the segment is a map of the plane; where its derivative varies less over the cell
+/// than its inverse allows, the map is one-to-one there.
+bool PatchTree::is_unique(const Segment& segment, const Patch& leaf, const UvCell& cell) const {
+  const SurfaceJet jet = evaluate_(cell.centre(), 1);
+  const Vec2 h = cell.size();
+  const Vec3 along = segment.d / segment.length;
+  const Vec3 a = (jet.du - jet.du.dot(along) * along) * h.x(),
+             b = (jet.dv - jet.dv.dot(along) * along) * h.y();
+  const double det = std::abs(a.cross(b).dot(along));
+  const double da = h.x() * 0.5 * (h.x() * leaf.second[0] + h.y() * leaf.second[1]);
+  const double db = h.y() * 0.5 * (h.x() * leaf.second[1] + h.y() * leaf.second[2]);
+  return std::sqrt((a.squaredNorm() + b.squaredNorm()) * (da * da + db * db)) < kUnique * det;
+}
+
+/// Newton on S(u,v) = p + t d from the cell's centre; fails when it leaves the cell's neighbourhood.
+bool PatchTree::newton(const Segment& segment, const UvCell& cell, SurfaceRoot& root) const {
+  Vec2 uv = cell.centre();
+  const Vec2 reach = 1.5 * cell.size();
+  double t = 0.0;
+  double last = std::numeric_limits<double>::infinity();
+  for (int iteration = 0; iteration < 16; ++iteration) {
+    const SurfaceJet jet = evaluate_(uv, 1);
+    const Vec3 n = cross_of(jet), r = jet.p - segment.p;
+    const double nd = n.dot(segment.d);
+    if (nd == 0.0) return false;
+    t = n.dot(r) / nd;
+    const Vec3 w = segment.p + t * segment.d - jet.p;  // in the tangent plane
+    const double nn = n.squaredNorm();
+    const Vec2 step(w.cross(jet.dv).dot(n) / nn, jet.du.cross(w).dot(n) / nn);
+    uv += step;
+    const double length = w.norm();
+    if (length <= 0.1 * segment.tolerance || (length < 1e3 * segment.tolerance && length >= last)) break;
+    if (((uv - cell.centre()).cwiseAbs().array() > reach.array()).any()) return false;
+    last = length;
+  }
+  const Vec2 slack = 1e-9 * range_.size();
+  if (((uv - range_.lo + slack).array() < 0.0).any() || ((range_.hi - uv + slack).array() < 0.0).any())
+    return false;
+  uv = uv.cwiseMax(range_.lo).cwiseMin(range_.hi);
+  const double end = segment.tolerance / segment.length;
+  if (t < -end || t > 1.0 + end) return false;
+  t = std::clamp(t, 0.0, 1.0);
+  const double miss = (evaluate_(uv, 0).p - segment.p - t * segment.d).norm();
+  if (!(miss <= 1e3 * segment.tolerance)) return false;
+  root = {t, uv, false, false};
+  return true;
+}
+
+/// At a cell too small to be split: a root if the segment comes within rounding.
+bool PatchTree::touch(const Segment& segment, const UvCell& cell, SurfaceRoot& root) const {
+  const SurfaceJet jet = evaluate_(cell.centre(), 1);
+  const double t = std::clamp((jet.p - segment.p).dot(segment.d) / segment.d.squaredNorm(), 0.0, 1.0);
+  const Vec2 h = cell.size();
+  const double size = jet.du.norm() * h.x() + jet.dv.norm() * h.y();
+  const Vec3 n = cross_of(jet);
+  const Vec3 r = segment.p + t * segment.d - jet.p;
+  const double height = n.norm() > 0.0 ? std::abs(n.dot(r)) / n.norm() : r.norm();
+  if (height > 4.0 * segment.tolerance || r.norm() > size + 4.0 * segment.tolerance) return false;
+  const bool flat = std::abs(n.dot(segment.d)) <= 1e-3 * n.norm() * segment.length;
+  root = {t, cell.centre(), flat, false};
+  return true;
+}
+
+/// Whether the segment runs in the surface across the leaf: its clipped ends and points between are all on
+/// it.
+bool PatchTree::coincide(const Segment& segment, const Patch& leaf, std::vector<SurfaceRoot>& roots) const {
+  const auto part = clip(segment.p, segment.d, leaf.box);
+  if (!part || (part->second - part->first) * segment.length < 0.1 * leaf.box.diagonal()) return false;
+  std::array<SurfaceRoot, 5> at;
+  for (int i = 0; i < 5; ++i) {
+    const double t = part->first + (0.02 + 0.24 * i) * (part->second - part->first);
+    const Vec3 goal = segment.p + t * segment.d;
+    Vec2 uv = leaf.cell.centre();
+    for (int iteration = 0; iteration < 12; ++iteration) {
+      const SurfaceJet jet = evaluate_(uv, 1);
+      const Vec3 n = cross_of(jet), w = goal - jet.p;
+      const double nn = n.squaredNorm();
+      if (nn == 0.0) return false;
+      const Vec2 step(w.cross(jet.dv).dot(n) / nn, jet.du.cross(w).dot(n) / nn);
+      uv = (uv + step).cwiseMax(range_.lo).cwiseMin(range_.hi);
+      if (iteration > 2 && w.norm() <= segment.tolerance) break;
+    }
+    if ((evaluate_(uv, 0).p - goal).norm() > 16.0 * segment.tolerance) return false;
+    at[i] = {t, uv, false, true};
+  }
+  roots.push_back(at.front());
+  roots.push_back(at.back());
+  return true;
+}
+
+void PatchTree::add(const Segment& segment, const SurfaceRoot& root, std::vector<SurfaceRoot>& roots,
+                    std::size_t first) const {
+  const SurfaceJet jet = evaluate_(root.uv, 1);
+  const double way = cross_of(jet).dot(segment.d);
+  for (std::size_t i = roots.size(); i-- > first;) {
+    SurfaceRoot& other = roots[i];
+    if (other.coincident != root.coincident) continue;
+    const SurfaceJet jet_there = evaluate_(other.uv, 1);
+    // Where the segment grazes, rounding across it moves the root along it.
+    const double sine = std::abs(way) / std::max(cross_of(jet).norm() * segment.length, 1e-300);
+    const double near =
+        64.0 * segment.tolerance / std::max(sine, root.tangent || other.tangent ? 1e-7 : 1e-5);
+    if ((root.t - other.t) * segment.length > near) continue;
+    if ((jet.p - jet_there.p).norm() > 2.0 * near) continue;
+    const double way_there = cross_of(jet_there).dot(segment.d);
+    const bool same_way =
+        way * way_there > 0.0 || root.tangent || other.tangent || way == 0.0 || way_there == 0.0;
+    if (!same_way) continue;
+    other.tangent = other.tangent && root.tangent;
+    return;
+  }
+  roots.push_back(root);
+}
+
+}  // namespace octet

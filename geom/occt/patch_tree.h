@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// All roots of a segment and a free-form surface, by subdivision down to patches with one root at most.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "geom/surface.h"
+
+namespace octet {
+
+/// A rectangle of the (u,v) plane.
+struct UvCell {
+  Vec2 lo = Vec2::Zero(), hi = Vec2::Zero();
+  [[nodiscard]] Vec2 size() const { return hi - lo; }
+  [[nodiscard]] Vec2 centre() const { return 0.5 * (lo + hi); }
+};
+
+/// Leaves are nearly flat patches of the surface with boxes that hold them, below a flat binary tree.
+///
+/// Invariants: the cells of the leaves tile the (u,v) box; |Suu|, |Suv|, |Svv| stay below the leaf's bounds
+/// (sampled, then inflated: not a proof), so that a patch lies within (hu^2 |Suu| + hv^2 |Svv|) / 8 of the
+/// hull of its corners. Memory: about 200 bytes a leaf. Immutable, thread-safe.
+class PatchTree {
+ public:
+  using Evaluate = std::function<SurfaceJet(const Vec2& uv, int derivatives)>;
+
+  /// `u_breaks` and `v_breaks`: ascending, both ends of the box and all knots between.
+  PatchTree(Evaluate evaluate, const std::vector<double>& u_breaks, const std::vector<double>& v_breaks);
+
+  /// Appends the roots of segment p..q in the (u,v) box. Two roots closer than rounding that cross in the
+  /// same direction are one; a root that touches is `tangent`.
+  void intersect(const Vec3& p, const Vec3& q, std::vector<SurfaceRoot>& roots) const;
+
+  /// Box of the whole surface.
+  [[nodiscard]] const Box3& box() const { return nodes_.front().box; }
+  [[nodiscard]] std::size_t leaf_count() const { return leaves_.size(); }
+
+ private:
+  struct Patch {
+    UvCell cell;
+    Vec3 second = Vec3::Zero();  ///< bounds of |Suu|, |Suv|, |Svv|
+    Box3 box;
+  };
+  struct Node {
+    Box3 box;
+    std::int32_t left = -1, right = -1;  ///< children; a leaf has left = -1 and its patch in right
+  };
+  struct Segment;
+
+  void refine(const UvCell& cell, int depth);
+  [[nodiscard]] Patch measured(const UvCell& cell) const;
+  std::int32_t build(std::vector<std::int32_t>& order, std::size_t begin, std::size_t end);
+  void solve(const Segment& segment, const Patch& leaf, std::vector<SurfaceRoot>& roots) const;
+  void solve_cell(const Segment& segment, const Patch& leaf, const UvCell& cell, int depth, int& budget,
+                  std::vector<SurfaceRoot>& roots) const;
+  [[nodiscard]] bool is_unique(const Segment& segment, const Patch& leaf, const UvCell& cell) const;
+  bool newton(const Segment& segment, const UvCell& cell, SurfaceRoot& root) const;
+  bool touch(const Segment& segment, const UvCell& cell, SurfaceRoot& root) const;
+  bool coincide(const Segment& segment, const Patch& leaf, std::vector<SurfaceRoot>& roots) const;
+  void add(const Segment& segment, const SurfaceRoot& root, std::vector<SurfaceRoot>& roots,
+           std::size_t first) const;
+
+  Evaluate evaluate_;
+  UvCell range_;
+  double tolerance_ = 0.0;  ///< rounding of the coordinates
+  std::vector<Patch> leaves_;
+  std::vector<Node> nodes_;
+};
+
+}  // namespace octet

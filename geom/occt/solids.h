@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The solids of a shape, sewn and fused where the file left them apart.
+#pragma once
+
+#include <BRepTools_History.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS_Shape.hxx>
+#include <string>
+#include <vector>
+
+namespace octet {
+
+/// Entity maps of a shape by dimension: vertices, edges, faces, solids, in the order FreeCAD and Gmsh show.
+struct ShapeMaps {
+  explicit ShapeMaps(const TopoDS_Shape& shape);
+  TopTools_IndexedMapOfShape of[4];
+};
+
+/// Solids that share faces where they touch, and how they came from the shape as read.
+struct SolidSet {
+  std::vector<TopoDS_Shape> solids;   ///< in the order of the shape as read
+  Handle(BRepTools_History) history;  ///< from the shape as read; what is not in it is unchanged
+  std::vector<std::string> notes;
+};
+
+/// Closed shells become solids, loose faces are sewn, touching solids are fused. `shape` is not changed.
+/// ModelError: nothing in it bounds a volume (names the first free edge, a face of it and its place).
+[[nodiscard]] SolidSet collect_solids(const TopoDS_Shape& shape, const ShapeMaps& as_read);
+
+/// General fuse of the solids that touch; those apart from all others are left alone.
+void fuse_touching(SolidSet& set);
+
+}  // namespace octet

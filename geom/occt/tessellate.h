@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A welded triangulation of the boundary.
+#pragma once
+
+#include "geom/model.h"
+#include "geom/occt/numbering.h"
+
+namespace octet {
+
+/// Triangulates the faces (their OCCT triangulation is replaced) and fills `parts.facets`, welded by
+/// topology, with measured deviations. `deflection` 0: a two-thousandth of the diagonal. ModelError: a face
+/// that cannot be triangulated, a region whose facets are not closed (entity and place).
+void tessellate(const Numbering& numbering, double deflection, ModelParts& parts);
+
+}  // namespace octet
