@@ -136,10 +136,14 @@ class Torus final : public Surface {
   SurfaceFoot project(const Vec3& p, const Vec2& seed) const override {
     const Vec3 l = axes_.to_local(p);
     const double rho = std::hypot(l.x(), l.y());
-    const double u = rho <= kEps * major_ ? wrap_angle_near(seed.x(), u0_, seed.x())
-                                          : wrap_angle_near(std::atan2(l.y(), l.x()), u0_, seed.x());
-    const bool on_spine = std::hypot(rho - major_, l.z()) <= kEps * major_;
-    const double v = on_spine ? seed.y() : wrap_angle_near(std::atan2(l.z(), rho - major_), v0_, seed.y());
+    // A spindle torus has an outer and an inner sheet over each rho: the foot stays on the seed's.
+    const double side = major_ + minor_ * std::cos(seed.y()) < 0.0 ? -1.0 : 1.0;
+    const double u = rho <= kEps * major_
+                         ? wrap_angle_near(seed.x(), u0_, seed.x())
+                         : wrap_angle_near(std::atan2(side * l.y(), side * l.x()), u0_, seed.x());
+    const double across = side * rho - major_;
+    const bool on_spine = std::hypot(across, l.z()) <= kEps * major_;
+    const double v = on_spine ? seed.y() : wrap_angle_near(std::atan2(l.z(), across), v0_, seed.y());
     const Vec2 uv(u, v);
     return {uv, evaluate(uv, 0).p, true};
   }
