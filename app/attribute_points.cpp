@@ -87,7 +87,10 @@ class AttributeLoop {
     return (middle - gap.place).squaredNorm() > 0.0;
   }
 
-  [[nodiscard]] bool changed(TetId t) const { return t.index() < changed_.size() && changed_[t.index()]; }
+  /// Whether the tetrahedron that a gap speaks of has gone in this round, its slot reused or not.
+  [[nodiscard]] bool changed(TetId t) const {
+    return !mesh().alive(t) || (t.index() < changed_.size() && changed_[t.index()]);
+  }
 
   void split(std::uint32_t piece) {
     const AttributePoint p = split_point(model_, mesh(), on_, chains_[piece]);
