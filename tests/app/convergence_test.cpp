@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Volume and area converge at second order, per entity; planar parts are exact; Euler numbers are the
+// model's.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "app/mesh_part.h"
+#include "geom/analytic.h"
+#include "geom/occt/read_part.h"
+#include "tests/app/program.h"
+
+namespace octet {
+namespace {
+
+struct Measures {
+  std::vector<double> length, area, volume;  ///< per tag, [0] unused
+};
+
+Measures measure(const Mesh& mesh, const Model& model) {
+  Measures m;
+  m.length.resize(static_cast<std::size_t>(model.count(1)) + 1);
+  m.area.resize(static_cast<std::size_t>(model.count(2)) + 1);
+  m.volume.resize(static_cast<std::size_t>(model.count(3)) + 1);
+  const auto& p = mesh.points;
+  for (std::size_t e = 0; e < mesh.edges.size(); ++e)
+    m.length[static_cast<std::size_t>(mesh.edge_on[e])] += (p[mesh.edges[e][1]] - p[mesh.edges[e][0]]).norm();
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& v = mesh.triangles[t];
+    m.area[static_cast<std::size_t>(mesh.triangle_on[t])] +=
+        0.5 * (p[v[1]] - p[v[0]]).cross(p[v[2]] - p[v[0]]).norm();
+  }
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+    const auto& v = mesh.tets[t];
+    m.volume[static_cast<std::size_t>(mesh.tet_in[t])] += signed_volume(p[v[0]], p[v[1]], p[v[2]], p[v[3]]);
+  }
+  return m;
+}
+
+/// Relative to the whole, summed over entities so that no two errors cancel.
+struct Errors {
+  double length = 0.0, area = 0.0, volume = 0.0;
+};
+
+Errors errors_of(const Measures& m, const Model& model) {
+  Errors errors;
+  double length = 0.0, area = 0.0, volume = 0.0;
+  for (int e = 1; e <= model.count(1); ++e) {
+    if (model.edge(e).use != EdgeUse::kReal) continue;
+    errors.length += std::abs(m.length[static_cast<std::size_t>(e)] - model.edge(e).length);
+    length += model.edge(e).length;
+  }
+  for (int f = 1; f <= model.count(2); ++f) {
+    errors.area += std::abs(m.area[static_cast<std::size_t>(f)] - model.face(f).area);
+    area += model.face(f).area;
+  }
+  for (int r = 1; r <= model.count(3); ++r) {
+    errors.volume += std::abs(m.volume[static_cast<std::size_t>(r)] - model.region(r).volume);
+    volume += model.region(r).volume;
+  }
+  if (length > 0.0) errors.length /= length;
+  errors.area /= area;
+  errors.volume /= volume;
+  return errors;
+}
+
+template <std::size_t N>
+void add_simplices(const std::array<Mesh::Index, N>& v, std::set<Mesh::Index>& vertices,
+                   std::set<std::array<Mesh::Index, 2>>& edges, std::set<std::array<Mesh::Index, 3>>& faces) {
+  std::array<Mesh::Index, N> s = v;
+  std::sort(s.begin(), s.end());
+  for (std::size_t i = 0; i < N; ++i) {
+    vertices.insert(s[i]);
+    for (std::size_t j = i + 1; j < N; ++j) {
+      edges.insert({s[i], s[j]});
+      for (std::size_t k = j + 1; k < N; ++k) faces.insert({s[i], s[j], s[k]});
+    }
+  }
+}
+
+/// Euler characteristic of the triangles on each model face.
+std::vector<long> face_eulers(const Mesh& mesh, const Model& model) {
+  std::vector<long> euler(static_cast<std::size_t>(model.count(2)) + 1);
+  for (int f = 1; f <= model.count(2); ++f) {
+    std::set<Mesh::Index> vertices;
+    std::set<std::array<Mesh::Index, 2>> edges;
+    std::set<std::array<Mesh::Index, 3>> faces;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+      if (mesh.triangle_on[t] == f) add_simplices(mesh.triangles[t], vertices, edges, faces);
+    euler[static_cast<std::size_t>(f)] = static_cast<long>(vertices.size()) -
+                                         static_cast<long>(edges.size()) + static_cast<long>(faces.size());
+  }
+  return euler;
+}
+
+/// Euler characteristic of the tetrahedra as a solid.
+long solid_euler(const Mesh& mesh) {
+  std::set<Mesh::Index> vertices;
+  std::set<std::array<Mesh::Index, 2>> edges;
+  std::set<std::array<Mesh::Index, 3>> faces;
+  for (const auto& tet : mesh.tets) add_simplices(tet, vertices, edges, faces);
+  return static_cast<long>(vertices.size()) - static_cast<long>(edges.size()) +
+         static_cast<long>(faces.size()) - static_cast<long>(mesh.tets.size());
+}
+
+MeshResult mesh_uniformly(const Model& model, double size) {
+  MeshOptions options;
+  options.size = size;
+  options.curvature_angle = 0.0;
+  return mesh_part(model, options);
+}
+
+void expect_complete(const MeshResult& result, double size) {
+  EXPECT_EQ(result.report.status, MeshStatus::kComplete) << "size " << size;
+  for (const Fault& fault : result.report.faults) ADD_FAILURE() << fault.cause;
+}
+
+void expect_eulers(const Mesh& mesh, const Model& model, long solid) {
+  const auto eulers = face_eulers(mesh, model);
+  for (int f = 1; f <= model.count(2); ++f)
+    EXPECT_EQ(eulers[static_cast<std::size_t>(f)], model.face(f).euler) << model.describe(model_face(f));
+  EXPECT_EQ(solid_euler(mesh), solid);
+}
+
+/// Three sizes, each half of the one before.
+void expect_planar_exact(const Model& model, double size, long solid) {
+  for (int i = 0; i < 3; ++i, size *= 0.5) {
+    const MeshResult result = mesh_uniformly(model, size);
+    expect_complete(result, size);
+    const Errors errors = errors_of(measure(result.mesh, model), model);
+    EXPECT_LT(errors.length, 1e-12) << "size " << size;
+    EXPECT_LT(errors.area, 1e-12) << "size " << size;
+    EXPECT_LT(errors.volume, 1e-12) << "size " << size;
+    expect_eulers(result.mesh, model, solid);
+  }
+}
+
+void expect_second_order(const Model& model, double size, long solid) {
+  Errors last;
+  for (int i = 0; i < 3; ++i, size *= 0.5) {
+    const MeshResult result = mesh_uniformly(model, size);
+    expect_complete(result, size);
+    const Errors errors = errors_of(measure(result.mesh, model), model);
+    expect_eulers(result.mesh, model, solid);
+    if (i > 0) {
+      EXPECT_GE(last.volume / errors.volume, 3.5) << "size " << size << " error " << errors.volume;
+      EXPECT_GE(last.area / errors.area, 3.5) << "size " << size << " error " << errors.area;
+      if (last.length > 1e-12) {
+        EXPECT_GE(last.length / errors.length, 3.5) << "size " << size << " error " << errors.length;
+      }
+    }
+    last = errors;
+  }
+}
+
+AnalyticOptions turned() {
+  AnalyticOptions options;
+  options.frame.origin = Vec3(0.3, -0.7, 1.1);
+  options.frame.axes = (Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized())).toRotationMatrix();
+  return options;
+}
+
+TEST(Convergence, BoxIsExact) { expect_planar_exact(analytic_box(Vec3(1, 1.5, 2)), 0.4, 1); }
+TEST(Convergence, RotatedBoxIsExact) { expect_planar_exact(analytic_box(Vec3(1, 1.5, 2), turned()), 0.4, 1); }
+TEST(Convergence, TwoBoxesAreExact) { expect_planar_exact(analytic_two_boxes(Vec3(1, 1.5, 1)), 0.4, 1); }
+TEST(Convergence, BallIsSecondOrder) { expect_second_order(analytic_ball(1.0), 0.4, 1); }
+TEST(Convergence, CylinderIsSecondOrder) { expect_second_order(analytic_cylinder(1.0, 1.5), 0.4, 1); }
+TEST(Convergence, ConeIsSecondOrder) { expect_second_order(analytic_cone(1.0, 1.5), 0.4, 1); }
+TEST(Convergence, TorusIsSecondOrder) { expect_second_order(analytic_torus(1.0, 0.4), 0.25, 0); }
+TEST(Convergence, BoxMinusBallIsSecondOrder) {
+  expect_second_order(analytic_box_minus_ball(2.0, 0.6), 0.3, 2);
+}
+TEST(Convergence, FilletedBracketIsSecondOrder) {
+  const Model bracket = read_part(model_file("bracket.step"));
+  const long holes = static_cast<long>(0);
+  expect_second_order(bracket, bracket.diagonal() / 30.0, 1 - holes);
+}
+
+}  // namespace
+}  // namespace octet

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What `octet mesh`, `info` and `check` promise about their outputs, on the bracket.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/exit_code.h"
+#include "geom/occt/read_part.h"
+#include "io/write.h"
+#include "tests/app/program.h"
+
+namespace octet {
+namespace {
+
+using Json = nlohmann::json;
+
+std::string bracket() { return model_file("bracket.step"); }
+
+/// The bracket at its default size, with these options more.
+ProgramRun mesh_bracket(const std::string& output, const std::vector<std::string>& options = {}) {
+  std::vector<std::string> arguments{"mesh", bracket(), "-o", output};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  return run_octet(arguments);
+}
+
+TEST(MeshCommand, MeshesTheBracketCompletely) {
+  const TemporaryDirectory out;
+  const auto run = mesh_bracket(out.file("a.msh"), {"--report", out.file("a.json")});
+  ASSERT_EQ(run.exit_code, kExitComplete) << run.out << run.err;
+  EXPECT_EQ(run.err, "");  // no progress where stderr is no terminal
+  EXPECT_NE(run.out.find("complete"), std::string::npos) << run.out;
+  const Json report = Json::parse(read_bytes(out.file("a.json")));
+  EXPECT_EQ(report["status"], "complete");
+  EXPECT_GT(report["tets"].get<int>(), 100);
+  EXPECT_TRUE(report["faults"].empty());
+  EXPECT_LT(std::abs(report["volume"]["relative_error"].get<double>()), 0.02);
+  EXPECT_EQ(out.names(), (std::vector<std::string>{"a.json", "a.msh"}));
+}
+
+TEST(MeshCommand, SameBytesFromTwoRunsAndFromOneAndTwoThreads) {
+  const TemporaryDirectory out;
+  ASSERT_EQ(mesh_bracket(out.file("a.msh"), {"--threads", "1"}).exit_code, kExitComplete);
+  ASSERT_EQ(mesh_bracket(out.file("b.msh"), {"--threads", "1"}).exit_code, kExitComplete);
+  ASSERT_EQ(mesh_bracket(out.file("c.msh"), {"--threads", "2"}).exit_code, kExitComplete);
+  const std::string bytes = read_bytes(out.file("a.msh"));
+  EXPECT_FALSE(bytes.empty());
+  EXPECT_TRUE(bytes == read_bytes(out.file("b.msh")));
+  EXPECT_TRUE(bytes == read_bytes(out.file("c.msh")));
+}
+
+TEST(MeshCommand, CheckAgreesWithTheRunInEveryFormat) {
+  const TemporaryDirectory out;
+  for (const std::string format : {"msh41", "msh41-ascii", "msh22", "msh22-ascii", "vtu"}) {
+    const std::string file = out.file(format == "vtu" ? "a.vtu" : format + ".msh");
+    ASSERT_EQ(mesh_bracket(file, {"--format", format, "--quiet"}).exit_code, kExitComplete) << format;
+    const auto check = run_octet({"check", file, bracket(), "--json"});
+    EXPECT_EQ(check.exit_code, kExitComplete) << format << check.out << check.err;
+    EXPECT_EQ(Json::parse(check.out)["status"], "complete");
+  }
+}
+
+TEST(MeshCommand, CheckFindsAMeshOfAnotherSizeBroken) {
+  const TemporaryDirectory out;
+  ASSERT_EQ(mesh_bracket(out.file("a.msh"), {"--quiet"}).exit_code, kExitComplete);
+  const auto check = run_octet({"check", out.file("a.msh"), bracket(), "--unit", "cm"});
+  EXPECT_EQ(check.exit_code, kExitIncomplete);
+  EXPECT_NE(check.out.find("BROKEN"), std::string::npos) << check.out;
+}
+
+TEST(MeshCommand, UnitScalesTheSizeAndTheCoordinates) {
+  const TemporaryDirectory out;
+  const Json info = Json::parse(run_octet({"info", bracket(), "--json"}).out);
+  const double size = info["default_size"];
+  ASSERT_EQ(mesh_bracket(out.file("mm.msh"), {"--size", std::to_string(size)}).exit_code, kExitComplete);
+  const auto inches =
+      mesh_bracket(out.file("in.msh"), {"--unit", "inch", "--size", std::to_string(size / 25.4)});
+  ASSERT_EQ(inches.exit_code, kExitComplete) << inches.out << inches.err;
+  Box3 mm, in;
+  for (const Vec3& p : read_mesh(out.file("mm.msh")).points) mm.add(p);
+  for (const Vec3& p : read_mesh(out.file("in.msh")).points) in.add(p);
+  EXPECT_NEAR(in.diagonal() * 25.4, mm.diagonal(), 1e-9 * mm.diagonal());
+  EXPECT_EQ(run_octet({"check", out.file("in.msh"), bracket(), "--unit", "in"}).exit_code, kExitComplete);
+}
+
+TEST(MeshCommand, QuietPrintsNothing) {
+  const TemporaryDirectory out;
+  const auto run = mesh_bracket(out.file("a.msh"), {"--quiet"});
+  EXPECT_EQ(run.out, "");
+  EXPECT_EQ(run.err, "");
+}
+
+TEST(MeshCommand, DumpsEveryStage) {
+  const TemporaryDirectory out;
+  ASSERT_EQ(mesh_bracket(out.file("a.msh"), {"--dump-stages", out.file("stages")}).exit_code, kExitComplete);
+  std::size_t dumps = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(out.file("stages"))) {
+    EXPECT_FALSE(read_mesh(entry.path()).tets.empty()) << entry.path();
+    ++dumps;
+  }
+  EXPECT_GE(dumps, 2u);
+}
+
+TEST(InfoCommand, CountsAsTheModelDoes) {
+  const auto run = run_octet({"info", bracket(), "--json"});
+  ASSERT_EQ(run.exit_code, kExitComplete) << run.err;
+  const Json info = Json::parse(run.out);
+  const Model model = read_part(bracket());
+  EXPECT_EQ(info["counts"]["regions"], model.count(3));
+  EXPECT_EQ(info["counts"]["faces"], model.count(2));
+  EXPECT_EQ(info["counts"]["edges"], model.count(1));
+  EXPECT_EQ(info["counts"]["vertices"], model.count(0));
+  EXPECT_EQ(info["faces"].size(), static_cast<std::size_t>(model.count(2)));
+  EXPECT_TRUE(info["free_edges"].empty());
+  EXPECT_DOUBLE_EQ(info["diagonal"].get<double>(), model.diagonal());
+}
+
+TEST(InfoCommand, NamesTheUnitAndTheSmallestFeatures) {
+  const auto run = run_octet({"info", bracket()});
+  ASSERT_EQ(run.exit_code, kExitComplete) << run.err;
+  for (const std::string word : {"millimetre", "smallest edge", "smallest face", "regions"})
+    EXPECT_NE(run.out.find(word), std::string::npos) << word << " in " << run.out;
+}
+
+TEST(Help, NamesEveryExitCode) {
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"--help"}, {"mesh", "--help"}, {"info", "--help"}, {"check", "--help"}}) {
+    const auto run = run_octet(arguments);
+    EXPECT_EQ(run.exit_code, 0);
+    for (const std::string code : {"0  complete", "2  bad input", "3  incomplete", "4  failed"})
+      EXPECT_NE(run.out.find(code), std::string::npos) << run.out;
+  }
+}
+
+TEST(Version, IsPrinted) { EXPECT_EQ(run_octet({"--version"}).out.rfind("octet ", 0), 0u); }
+
+}  // namespace
+}  // namespace octet
