@@ -29,7 +29,6 @@ struct JointEvent {
   int face = 0;
   Vec2 uv = Vec2::Zero();
   Vec3 normal = Vec3::Zero();
-  bool coincident = false;
   bool forth = false, back = false;  ///< some face is crossed along / against its normal
 };
 
@@ -192,6 +191,7 @@ class SegmentQuery {
     const double extra = data_.tolerance / segment_.length;
     data_.surface(face).intersect(segment_.at(-extra), segment_.at(1.0 + extra), seeds_, roots_);
     for (const SurfaceRoot& root : roots_) {
+      if (root.coincident && (coincident_.empty() || coincident_.back() != face)) coincident_.push_back(face);
       const double t = std::clamp(root.t * (1.0 + 2.0 * extra) - extra, 0.0, 1.0);
       place_root(face, triangles, root, t, hits);
     }
@@ -278,7 +278,6 @@ class SegmentQuery {
       joint.uv = root.uv;
       joint.normal = normal;
     }
-    joint.coincident |= root.coincident;
     note_direction(joint, normal);
   }
 
@@ -286,6 +285,14 @@ class SegmentQuery {
     const double along = normal.dot(segment_.d);
     joint.forth |= along > 0.0;
     joint.back |= along < 0.0;
+  }
+
+  /// Whether the segment runs within the surface of a face around the edge or vertex.
+  [[nodiscard]] bool runs_in_a_face(ModelRef on) const {
+    return std::any_of(coincident_.begin(), coincident_.end(), [&](int face) {
+      const auto& around = on.dim == 1 ? data_.parts.edges[on.tag].faces : data_.parts.faces[face].vertices;
+      return std::binary_search(around.begin(), around.end(), on.dim == 1 ? face : on.tag);
+    });
   }
 
   /// At an edge of two faces the segment crosses from region to region when it goes the same way through
@@ -308,7 +315,7 @@ class SegmentQuery {
     hit.face = joint.face;
     hit.uv = joint.uv;
     hit.normal = joint.normal;
-    hit.kind = joint.coincident            ? HitKind::kCoincident
+    hit.kind = runs_in_a_face(joint.on)    ? HitKind::kCoincident
                : joint.forth == joint.back ? HitKind::kTangent
                                            : HitKind::kTransversal;
     hit.end_point = at_end(joint.t);
@@ -347,6 +354,7 @@ class SegmentQuery {
   std::vector<JointEvent> joints_;
   std::vector<Vec2> seeds_;
   std::vector<SurfaceRoot> roots_;
+  std::vector<int> coincident_;  ///< faces whose surface holds the segment
 };
 
 void Model::intersect(const Vec3& p, const Vec3& q, std::vector<Hit>& hits) const {
