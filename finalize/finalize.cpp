@@ -17,8 +17,8 @@ namespace {
 
 constexpr int kPasses = 8;
 constexpr int kSweeps = 2;
-/// Sweeps and the last pass work towards this angle (radians, 30 degrees), to lift the tail of the shapes.
-constexpr double kPolishAngle = 0.524;
+/// Sweeps and the last pass work towards this angle (radians, 35 degrees), to lift the tail of the shapes.
+constexpr double kPolishAngle = 0.611;
 
 DihedralRange dihedrals(const WorkMesh& mesh) {
   DihedralRange range{std::numbers::pi, 0.0};

@@ -191,7 +191,7 @@ std::size_t improve_worst_first(Workshop& shop, double goal, Effort effort, Obse
     const Candidate candidate = queue.top();
     queue.pop();
     if (!mesh.alive(candidate.tet) || mesh.quality[candidate.tet] != candidate.quality) continue;
-    if (++taken % 256 == 0 && observer.cancelled()) throw Cancelled();
+    if (taken++ % 64 == 0 && observer.cancelled()) throw Cancelled();
     if (!improve_tet(shop, candidate.tet, goal, effort)) continue;
     ++done;
     for (const TetId t : shop.made) {

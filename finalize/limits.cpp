@@ -3,10 +3,11 @@
 #include "finalize/limits.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <numbers>
+#include <vector>
 
-#include "finalize/shape.h"
+#include "mesh/tet_mesh.h"
 
 namespace octet {
 namespace {
@@ -50,33 +51,40 @@ bool at_sharp_edge(Workshop& shop, TetId t) {
   return false;
 }
 
-/// Whether all corners lie in the closure of one model face.
-bool on_one_face(const Workshop& shop, TetId t) {
-  const auto& v = shop.mesh.tets[t];
-  for (int face = 1; face <= shop.model.count(2); ++face) {
-    if (std::all_of(v.begin(), v.end(),
-                    [&](VertexId x) { return shop.model.in_closure(shop.mesh.on[x], model_face(face)); })) {
-      return true;
+/// Whether the boundary is met again within `reach`, straight from a vertex inside a model face through the
+/// region.
+bool wall_within(const Workshop& shop, VertexId v, std::int32_t region, double reach) {
+  const int face = shop.mesh.on[v].tag;
+  const FaceFoot foot = shop.model.face_project(face, shop.mesh.points[v]);
+  const Vec3 inward = shop.model.face(face).region[0] == region ? Vec3(-foot.normal) : foot.normal;
+  std::vector<Hit> hits;
+  shop.model.intersect(foot.point + 1e-3 * reach * inward, foot.point + reach * inward, hits);
+  return !hits.empty();
+}
+
+/// The vertices inside model faces around t: its own say nothing where they lie on model edges.
+std::vector<VertexId> face_vertices_around(Workshop& shop, TetId t) {
+  std::vector<VertexId> vertices;
+  std::vector<TetId> around;
+  for (const VertexId corner : std::array(shop.mesh.tets[t])) {
+    star(shop.mesh, corner, around);
+    for (const TetId s : around) {
+      if (shop.mesh.region[s] != shop.mesh.region[t]) continue;
+      for (const VertexId v : shop.mesh.tets[s]) {
+        if (shop.mesh.on[v].dim == 2) vertices.push_back(v);
+      }
     }
   }
-  return false;
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  return vertices;
 }
 
 bool in_thin_wall(Workshop& shop, TetId t) {
-  const WorkMesh& mesh = shop.mesh;
-  const auto& v = mesh.tets[t];
-  if (!std::all_of(v.begin(), v.end(), [&](VertexId x) { return mesh.on_boundary(x); })) return false;
-  double volume6 = 0.0, largest = 0.0;
-  for (const auto& f : kTetFace) {
-    const Vec3 normal =
-        (mesh.point(t, f[1]) - mesh.point(t, f[0])).cross(mesh.point(t, f[2]) - mesh.point(t, f[0]));
-    largest = std::max(largest, normal.norm());
-  }
-  volume6 = (mesh.point(t, 1) - mesh.point(t, 0))
-                .cross(mesh.point(t, 2) - mesh.point(t, 0))
-                .dot(mesh.point(t, 3) - mesh.point(t, 0));
-  const double height = largest > 0.0 ? volume6 / largest : 0.0;
-  return height < 0.5 * shop.size_at(mesh.points[v[0]]) && !on_one_face(shop, t);
+  const double half = 0.5 * shop.size_at(shop.mesh.point(t, 0));
+  const std::vector<VertexId> vertices = face_vertices_around(shop, t);
+  return std::any_of(vertices.begin(), vertices.end(),
+                     [&](VertexId v) { return wall_within(shop, v, shop.mesh.region[t], half); });
 }
 
 }  // namespace

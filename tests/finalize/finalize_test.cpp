@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "finalize/finalize.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/error.h"
+#include "mesh/quality.h"
+#include "tests/finalize/parts.h"
+
+namespace octet {
+namespace {
+
+using testing::faults_of;
+using testing::Part;
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+/// Finalizes a jittered part and holds it to all that finalize() promises.
+FinalizeReport finalize_and_check(Part& part, double size) {
+  const std::vector<int> euler = testing::face_euler(part.mesh, part.model.count(2));
+  EXPECT_EQ(faults_of(part.mesh, part.model, euler), "");
+  const QualitySummary before = quality_summary(part.mesh);
+  Observer observer;
+  const FinalizeReport report = finalize(part.mesh, part.model, testing::options_of_size(size), observer);
+  EXPECT_EQ(faults_of(part.mesh, part.model, euler), "");
+  const QualitySummary after = quality_summary(part.mesh);
+  EXPECT_GE(after.min_dihedral, before.min_dihedral);
+  EXPECT_NEAR(after.min_dihedral, report.min_dihedral_after, 1e-12);
+  EXPECT_NEAR(after.max_dihedral, report.max_dihedral_after, 1e-12);
+  return report;
+}
+
+TEST(Finalize, BringsAJitteredBoxWithFlatTetrahedraToTwentyDegreesAndKeepsItsVolume) {
+  Part part = testing::box_part({1, 1.2, 0.8}, 8, 8, 7, true);
+  testing::Dice dice(11);
+  testing::jitter(part.mesh, part.model, 0.09, dice);
+  EXPECT_GT(testing::glue_flat_tets(part.mesh, part.model), 50);
+  const FinalizeReport report = finalize_and_check(part, 0.13);
+  EXPECT_LT(report.min_dihedral_before, 0.1 * kDegree);
+  EXPECT_GE(report.min_dihedral_after, 20.0 * kDegree);
+  EXPECT_EQ(report.below_target, 0u);
+  EXPECT_NEAR(testing::total_volume(part.mesh), 0.96, 1e-12);
+}
+
+TEST(Finalize, BringsABallToEighteenDegrees) {
+  Part part = testing::ball_part(8);
+  testing::Dice dice(5);
+  testing::jitter(part.mesh, part.model, 0.1, dice);
+  const double exact = 4.0 / 3.0 * std::numbers::pi, error = exact - testing::total_volume(part.mesh);
+  const double mean = quality_summary(part.mesh).mean_mean_ratio;
+  const FinalizeReport report = finalize_and_check(part, 0.25);
+  EXPECT_GE(report.min_dihedral_after, 18.0 * kDegree);
+  EXPECT_NEAR(testing::total_volume(part.mesh), exact, error);
+  EXPECT_GT(quality_summary(part.mesh).mean_mean_ratio, mean + 0.1);
+}
+
+TEST(Finalize, BringsACylinderToEighteenDegrees) {
+  Part part = testing::cylinder_part(8);
+  testing::Dice dice(9);
+  testing::jitter(part.mesh, part.model, 0.1, dice);
+  const FinalizeReport report = finalize_and_check(part, 0.25);
+  EXPECT_GE(report.min_dihedral_after, 18.0 * kDegree);
+}
+
+TEST(Finalize, KeepsAnInterfaceBetweenTwoRegions) {
+  Part part = testing::two_boxes_part(5);
+  testing::Dice dice(4);
+  testing::jitter(part.mesh, part.model, 0.15, dice);
+  const FinalizeReport report = finalize_and_check(part, 0.2);
+  EXPECT_GE(report.min_dihedral_after, 20.0 * kDegree);
+  EXPECT_GT(report.edge_removals, 15u);
+  double volume[3] = {0.0, 0.0, 0.0};
+  for (std::size_t t = 0; t < part.mesh.tets.size(); ++t) {
+    const auto& v = part.mesh.tets[t];
+    volume[part.mesh.tet_in[t]] += signed_volume(part.mesh.points[v[0]], part.mesh.points[v[1]],
+                                                 part.mesh.points[v[2]], part.mesh.points[v[3]]);
+  }
+  EXPECT_NEAR(volume[1], 1.0, 1e-12);
+  EXPECT_NEAR(volume[2], 1.0, 1e-12);
+}
+
+TEST(Finalize, CollapsesNicks) {
+  Part part = testing::box_part({1, 1, 1}, 5, 5, 5);
+  // A vertex inside a face, drawn to within a tenth of the size of its neighbour.
+  for (std::size_t v = 0; v < part.mesh.points.size(); ++v) {
+    if (part.mesh.point_on[v].dim == 3 && (part.mesh.points[v] - Vec3(0.2, 0.4, 0.4)).norm() < 0.01) {
+      part.mesh.points[v] = Vec3(0.02, 0.4, 0.4);
+    }
+  }
+  const FinalizeReport report = finalize_and_check(part, 0.2);
+  EXPECT_GE(report.collapses, 1u);
+  EXPECT_GE(report.min_dihedral_after, 20.0 * kDegree);
+}
+
+TEST(Finalize, TellsWhatThePartForbids) {
+  Part part = testing::box_part({1, 1, 0.02}, 6, 6, 1);
+  const FinalizeReport report = finalize_and_check(part, 0.2);
+  EXPECT_GT(report.below_target, 0u);
+  EXPECT_EQ(report.limited_by_geometry, report.below_target);
+}
+
+TEST(Finalize, DoesNotWreckAThinCurvedSheetForItsAngles) {
+  Part part = testing::shell_part(10, 0.93);
+  testing::Dice dice(8);
+  testing::jitter(part.mesh, part.model, 0.02, dice);
+  const double exact = part.model.region(1).volume;
+  const double error = std::abs(testing::total_volume(part.mesh) - exact);
+  finalize_and_check(part, 0.25);
+  EXPECT_LE(std::abs(testing::total_volume(part.mesh) - exact), std::max(error, 0.003 * exact));
+}
+
+TEST(Finalize, GivesTheSameMeshTwice) {
+  Mesh meshes[2];
+  for (Mesh& mesh : meshes) {
+    Part part = testing::ball_part(6);
+    testing::Dice dice(1);
+    testing::jitter(part.mesh, part.model, 0.12, dice);
+    finalize_and_check(part, 0.3);
+    mesh = part.mesh;
+  }
+  EXPECT_EQ(meshes[0].points, meshes[1].points);
+  EXPECT_EQ(meshes[0].tets, meshes[1].tets);
+  EXPECT_EQ(meshes[0].triangles, meshes[1].triangles);
+  EXPECT_EQ(meshes[0].edges, meshes[1].edges);
+}
+
+TEST(Finalize, EndsWhenTheObserverAsks) {
+  struct Stop : Observer {
+    [[nodiscard]] bool cancelled() const override { return true; }
+  } observer;
+  Part part = testing::box_part({1, 1, 1}, 8, 8, 8);
+  testing::Dice dice(2);
+  testing::jitter(part.mesh, part.model, 0.05, dice);
+  EXPECT_THROW(finalize(part.mesh, part.model, testing::options_of_size(0.12), observer), Cancelled);
+}
+
+}  // namespace
+}  // namespace octet

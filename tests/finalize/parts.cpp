@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Analytic parts with lattice meshes of them.
+#include "tests/finalize/parts.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "mesh/soundness.h"
+
+namespace octet::testing {
+
+Part box_part(const Vec3& size, int nx, int ny, int nz, bool turned) {
+  AnalyticOptions options;
+  if (turned) {
+    options.frame.axes = (Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized())).toRotationMatrix();
+    options.frame.origin = Vec3(0.1, -0.7, 0.3);
+  }
+  Part part{analytic_box(size, options), {}};
+  part.mesh = lattice(nx, ny, nz, [&](const Vec3& p) -> Vec3 {
+    return options.frame.origin + options.frame.axes * p.cwiseProduct(size);
+  });
+  classify_by_nearness(part.mesh, part.model);
+  return part;
+}
+
+Part two_boxes_part(int n) {
+  Part part{analytic_two_boxes({1, 1, 1}), {}};
+  part.mesh = lattice(2 * n, n, n, [](const Vec3& p) -> Vec3 { return {2.0 * p.x(), p.y(), p.z()}; });
+  for (std::size_t t = 0; t < part.mesh.tets.size(); ++t) {
+    Vec3 centre = Vec3::Zero();
+    for (const Mesh::Index v : part.mesh.tets[t]) centre += 0.25 * part.mesh.points[v];
+    part.mesh.tet_in[t] = part.model.region_at(centre);
+  }
+  classify_by_nearness(part.mesh, part.model);
+  return part;
+}
+
+Part ball_part(int n) {
+  Part part{analytic_ball(1.0), {}};
+  part.mesh = lattice(n, n, n, [](const Vec3& p) -> Vec3 {
+    const Vec3 q = 2.0 * p - Vec3::Ones();
+    const double length = q.norm();
+    return length > 0.0 ? Vec3(q * (q.lpNorm<Eigen::Infinity>() / length)) : q;
+  });
+  classify_by_nearness(part.mesh, part.model);
+  return part;
+}
+
+Part shell_part(int n, double inner) {
+  Part part{analytic_hollow_ball(1.0, inner), {}};
+  const double core = 1.0 - 2.0 / n;
+  const auto cube_radius = [](const Vec3& p) { return (2.0 * p - Vec3::Ones()).lpNorm<Eigen::Infinity>(); };
+  Mesh cube = lattice(n, n, n, [](const Vec3& p) -> Vec3 { return p; });
+  std::vector<int> number(cube.points.size(), -1);
+  for (const auto& v : cube.tets) {
+    const Vec3 centre = (cube.points[v[0]] + cube.points[v[1]] + cube.points[v[2]] + cube.points[v[3]]) / 4.0;
+    if (cube_radius(centre) < core) continue;
+    std::array<Mesh::Index, 4> tet;
+    for (int c = 0; c < 4; ++c) {
+      if (number[v[c]] < 0) {
+        number[v[c]] = static_cast<int>(part.mesh.points.size());
+        const bool outer = cube_radius(cube.points[v[c]]) > 1.0 - 1.0 / n;
+        part.mesh.points.push_back((outer ? 1.0 : inner) *
+                                   (2.0 * cube.points[v[c]] - Vec3::Ones()).normalized());
+      }
+      tet[c] = static_cast<Mesh::Index>(number[v[c]]);
+    }
+    part.mesh.tets.push_back(tet);
+    part.mesh.tet_in.push_back(1);
+  }
+  classify_by_nearness(part.mesh, part.model);
+  return part;
+}
+
+Part cylinder_part(int n) {
+  Part part{analytic_cylinder(1.0, 2.0), {}};
+  part.mesh = lattice(n, n, n, [](const Vec3& p) -> Vec3 {
+    const Vec2 q = 2.0 * p.head<2>() - Vec2::Ones();
+    const double length = q.norm();
+    const Vec2 round = length > 0.0 ? Vec2(q * (q.lpNorm<Eigen::Infinity>() / length)) : q;
+    return {round.x(), round.y(), 2.0 * p.z()};
+  });
+  classify_by_nearness(part.mesh, part.model);
+  return part;
+}
+
+Part spindle_part(int n) {
+  Part part{analytic_ball(1.0), {}};
+  part.mesh.points = {{0, 0, -1}, {0, 0, 1}};
+  for (int i = 0; i < n; ++i) {
+    const double angle = 2.0 * std::numbers::pi * (i + 0.3) / n;
+    part.mesh.points.emplace_back(std::cos(angle), std::sin(angle), 0.0);
+    part.mesh.tets.push_back(
+        {0, 1, static_cast<Mesh::Index>(2 + i), static_cast<Mesh::Index>(2 + (i + 1) % n)});
+    part.mesh.tet_in.push_back(1);
+  }
+  classify_by_nearness(part.mesh, part.model);
+  return part;
+}
+
+FinalizeOptions options_of_size(double size) {
+  FinalizeOptions options;
+  options.leave_interior = options.target_dihedral;  // the lattices are bad all through
+  options.size_at = [size](const Vec3&) { return size; };
+  return options;
+}
+
+VertexId vertex_near(const WorkMesh& mesh, const Vec3& p) {
+  VertexId best;
+  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+    const VertexId v(i);
+    if (!mesh.alive(v)) continue;
+    if (!best.valid() || (mesh.points[v] - p).norm() < (mesh.points[best] - p).norm()) best = v;
+  }
+  return best;
+}
+
+std::string faults_of(const Mesh& mesh, const Model& model, const std::vector<int>& euler) {
+  if (std::string fault = check_mesh_soundness(mesh); !fault.empty()) return fault;
+  if (face_euler(mesh, model.count(2)) != euler) return "Euler characteristic of a face changed";
+  if (largest_misplacement(mesh, model) > 1e-9 * model.diagonal()) return "a vertex left its entity";
+  return {};
+}
+
+}  // namespace octet::testing

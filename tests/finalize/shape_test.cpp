@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "finalize/shape.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "mesh/quality.h"
+#include "mesh/tet_mesh.h"
+#include "tests/finalize/builders.h"
+
+namespace octet {
+namespace {
+
+TEST(Shape, IsTheSquaredSineOfTheSmallestOrLargestDihedral) {
+  testing::Dice dice(7);
+  const auto random = [&] {
+    const double x = dice.roll(), y = dice.roll(), z = dice.roll();
+    return Vec3(x, y, z);
+  };
+  for (int i = 0; i < 200; ++i) {
+    const Vec3 a = random(), b = random(), c = random();
+    Vec3 d = random();
+    if (signed_volume(a, b, c, d) < 0.0) d = a + b - d;
+    if (signed_volume(a, b, c, d) < 1e-4) continue;
+    const DihedralRange range = dihedral_range(a, b, c, d);
+    const double s = std::min(std::sin(range.smallest), std::sin(range.largest));
+    EXPECT_NEAR(shape(a, b, c, d), s * s, 1e-9);
+  }
+}
+
+TEST(Shape, OfTheRegularTetrahedronIsEightNinths) {
+  const Vec3 a(1, 1, 1), b(1, -1, -1), c(-1, 1, -1), d(-1, -1, 1);
+  EXPECT_NEAR(std::abs(shape(a, b, c, d)), 8.0 / 9.0, 1e-14);
+}
+
+TEST(Shape, ChangesSignWithTheOrientationAndIsZeroWhenFlat) {
+  const Vec3 a(0, 0, 0), b(1, 0, 0), c(0, 1, 0), d(0.2, 0.3, 1);
+  EXPECT_GT(shape(a, b, c, d), 0.0);
+  EXPECT_LT(shape(b, a, c, d), 0.0);
+  EXPECT_EQ(shape(a, b, c, Vec3(0.5, 0.25, 0.0)), 0.0);
+}
+
+TEST(Shape, ListsSinesInTheOrderOfTheEdges) {
+  const Vec3 p[4] = {{0, 0, 0}, {1, 0.1, 0}, {0.2, 1, 0.1}, {0.3, 0.3, 0.4}};
+  const auto squares = squared_sines(p[0], p[1], p[2], p[3]);
+  for (int e = 0; e < 6; ++e) {
+    const Vec3 &a = p[kTetEdge[e][0]], &b = p[kTetEdge[e][1]];
+    const Vec3 &c = p[kTetEdge[5 - e][0]], &d = p[kTetEdge[5 - e][1]];
+    const Vec3 n = (b - a).cross(c - a).normalized(), m = (b - a).cross(d - a).normalized();
+    EXPECT_NEAR(squares[static_cast<std::size_t>(e)], n.cross(m).squaredNorm(), 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace octet
