@@ -69,7 +69,9 @@ std::vector<TemplateOctant> template_octants(const Model& model, const Octree& t
       suitable[i] = suits(OctantId(i), octant_lattice(tree, vertices, OctantId(i))) ? 1 : 0;
     }
   });
+  // Two passes: the list is large, and growing it would copy it.
   std::vector<TemplateOctant> result;
+  result.reserve(static_cast<std::size_t>(std::count(suitable.begin(), suitable.end(), 1)));
   for (std::size_t i = 0; i < tree.size(); ++i) {
     if (suitable[i] != 0) result.push_back({OctantId(i), octant_lattice(tree, vertices, OctantId(i))});
   }

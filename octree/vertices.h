@@ -15,7 +15,7 @@ namespace octet {
 inline constexpr std::uint32_t kNoVertex = std::numeric_limits<std::uint32_t>::max();
 
 /// Sorted by (Morton key of the lattice point); `finest_level` is that of the finest terminal octant that has
-/// the vertex as a corner, which is the level octree_vertex_rank() wants.
+/// the vertex as a corner.
 struct OctreeVertices {
   std::vector<Lattice> at;
   std::vector<std::int8_t> finest_level;
@@ -25,7 +25,7 @@ struct OctreeVertices {
   /// Number of the vertex at `p`, or UINT32_MAX. O(log n).
   [[nodiscard]] std::uint32_t find(const Lattice& p) const;
   [[nodiscard]] std::uint64_t rank(std::uint32_t v) const {
-    return octree_vertex_rank(finest_level[v], at[v][0], at[v][1], at[v][2]);
+    return octree_vertex_rank(at[v][0], at[v][1], at[v][2]);
   }
 };
 

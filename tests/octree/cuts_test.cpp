@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "octree/cuts.h"
+
+#include <gtest/gtest.h>
+#include <oneapi/tbb/global_control.h>
+
+#include <algorithm>
+
+#include "octree/octant_edges.h"
+#include "tests/octree/labelled_models.h"
+
+namespace octet {
+namespace {
+
+using test::analytic_models;
+using test::label;
+using test::Labelled;
+
+bool same(const OctantEdgeCut& a, const OctantEdgeCut& b) {
+  return a.from == b.from && a.to == b.to && a.hit.t == b.hit.t && a.hit.point == b.hit.point &&
+         a.hit.on == b.hit.on && a.hit.face == b.hit.face && a.hit.uv == b.hit.uv &&
+         a.hit.normal == b.hit.normal && a.hit.kind == b.hit.kind && a.hit.end_point == b.hit.end_point;
+}
+
+TEST(OctantEdgeCuts, EqualTheModelsAnswerOnEveryEdgeOfTheTree) {
+  for (const auto& [name, model, size] : analytic_models()) {
+    const Labelled l = label(model, size, {{model.box().lo, 0.3 * size}, {model.box().centre(), 0.5 * size}});
+    OctantTypes everywhere = l.types;  // edges off the boundary too: they must have no cut
+    std::ranges::fill(everywhere.type, OctantType::kBoundary);
+    std::vector<OctantEdgeCut> expected;
+    for (const OctantEdge& e : boundary_octant_edges(l.tree, l.vertices, everywhere)) {
+      std::vector<Hit> hits;
+      model.intersect(l.tree.position(l.vertices.at[e.from]), l.tree.position(l.vertices.at[e.to]), hits);
+      for (const Hit& hit : hits) expected.push_back({e.from, e.to, hit});
+    }
+    EXPECT_FALSE(expected.empty());
+    ASSERT_EQ(l.cuts.size(), expected.size()) << name;
+    for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_TRUE(same(l.cuts[i], expected[i])) << name;
+  }
+}
+
+TEST(OctantEdgeCuts, OfABoxLieOnItsPlanes) {
+  const Model model = analytic_box(Vec3(1.0, 1.0, 1.0));
+  const Labelled l = label(model, 1.0 / 16);
+  EXPECT_EQ(l.cuts.size(), 6u * 16 * 16);  // one a lattice line and side: the root is shifted off the planes
+  for (const OctantEdgeCut& cut : l.cuts) {
+    EXPECT_EQ(cut.hit.kind, HitKind::kTransversal);
+    EXPECT_EQ(cut.hit.on, model_face(cut.hit.face));
+    const auto& p = cut.hit.point;
+    EXPECT_LT(std::min(p.cwiseAbs().minCoeff(), (p - Vec3::Ones()).cwiseAbs().minCoeff()), 1e-12);
+  }
+}
+
+TEST(OctantEdgeCuts, DoNotDependOnTheNumberOfThreads) {
+  const Model model = analytic_torus(0.7, 0.2, test::turned());
+  const auto cuts = [&](std::size_t threads) {
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+    return label(model, 0.05).cuts;
+  };
+  const auto one = cuts(1), two = cuts(2);
+  EXPECT_GT(one.size(), 1000u);
+  EXPECT_TRUE(std::ranges::equal(one, two, same));
+}
+
+}  // namespace
+}  // namespace octet
