@@ -42,8 +42,8 @@ ModelParts assemble_unguarded(const CadDocument& document, const ReadOptions& op
   for (int tag = 1; tag <= numbering.count(3); ++tag) BRepLib::BuildCurves3d(numbering.solid(tag));
   parts.notes = set.notes;
   fill_topology(numbering, parts);
-  measure(numbering, parts);
   tessellate(numbering, options.facet_deflection, parts);
+  measure(numbering, parts);
   apply_labels(label_entities(document.labels, numbering, set), parts);
   return parts;
 }

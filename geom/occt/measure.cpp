@@ -5,10 +5,8 @@
 #include <fmt/format.h>
 
 #include <BRepAdaptor_Curve.hxx>
-#include <BRepGProp.hxx>
 #include <BRep_Tool.hxx>
 #include <GCPnts_AbscissaPoint.hxx>
-#include <GProp_GProps.hxx>
 #include <Geom2d_Curve.hxx>
 #include <TopExp_Explorer.hxx>
 #include <algorithm>
@@ -16,14 +14,12 @@
 
 #include "base/error.h"
 #include "geom/occt/canonical.h"
+#include "geom/occt/integrals.h"
 
 namespace octet {
 namespace {
 
 constexpr int kGapSamples = 24;
-/// BRepGProp without a relative error integrates B-splines with a fixed number of points: off by 7e-4 on a
-/// blade.
-constexpr double kIntegral = 1e-6;
 /// Measured gaps are maxima over samples; the true one is a little larger.
 constexpr double kGapShare = 1.1;
 
@@ -96,32 +92,23 @@ void measure_vertices(double floor, ModelParts& parts) {
   }
 }
 
-void measure_faces(const Numbering& numbering, double arithmetic, ModelParts& parts) {
+/// Areas, and volumes of the solids by the divergence theorem.
+void integrate(const Numbering& numbering, ModelParts& parts) {
+  Box3 box;
+  for (const Vec3& node : parts.facets.nodes) box.add(node);
+  std::vector<double> volume(parts.faces.size(), 0.0);
   for (int tag = 1; tag <= numbering.count(2); ++tag) {
-    GProp_GProps properties;
-    BRepGProp::SurfaceProperties(numbering.face(tag), properties, kIntegral);
-    parts.faces[tag].area = std::abs(properties.Mass());
-    parts.faces[tag].tolerance = arithmetic;
+    const FaceIntegrals integrals = integrate_face(numbering.face(tag), *parts.surfaces[tag], box.centre());
+    parts.faces[tag].area = integrals.area;
+    parts.faces[tag].tolerance = 16e-12 * box.diagonal();
+    volume[tag] = integrals.volume;
   }
-}
-
-double volume_of(const TopoDS_Shape& solid, const ModelRegion& region, const ModelParts& parts) {
-  const bool flat = std::all_of(region.faces.begin(), region.faces.end(), [&](int f) {
-    return std::string_view(parts.surfaces[f]->kind()) == "plane";
-  });
-  GProp_GProps properties;
-  if (flat) {
-    BRepGProp::VolumeProperties(solid, properties);
-  } else {
-    BRepGProp::VolumeProperties(solid, properties, kIntegral);
-  }
-  return properties.Mass();
-}
-
-void measure_regions(const Numbering& numbering, ModelParts& parts) {
   for (int tag = 1; tag <= numbering.count(3); ++tag) {
     ModelRegion& region = parts.regions[tag];
-    region.volume = volume_of(numbering.solid(tag), region, parts);
+    for (const int face : region.faces) {
+      if (parts.faces[face].region[0] == tag) region.volume += volume[face];
+      if (parts.faces[face].region[1] == tag) region.volume -= volume[face];
+    }
     if (!(region.volume > 0.0))
       throw ModelError(
           fmt::format("Solid {} has volume {:.6g}: its faces are turned inside out", tag, region.volume),
@@ -137,8 +124,7 @@ void measure(const Numbering& numbering, ModelParts& parts) {
   const double floor = std::min(1e-7, 1e-8 * diagonal);
   measure_edges(numbering, floor, parts);
   measure_vertices(floor, parts);
-  measure_faces(numbering, 16e-12 * diagonal, parts);
-  measure_regions(numbering, parts);
+  integrate(numbering, parts);
 }
 
 }  // namespace octet

@@ -7,8 +7,8 @@
 
 namespace octet {
 
-/// Fills length, area, volume and tolerance. Notes edges whose gap is larger than the file's tolerance.
-/// ModelError: a solid of negative volume (its faces are turned inside out).
+/// Fills length, area, volume and tolerance; after tessellate(). Notes edges whose gap is larger than the
+/// file's tolerance. ModelError: a solid of negative volume (its faces are turned inside out).
 void measure(const Numbering& numbering, ModelParts& parts);
 
 }  // namespace octet

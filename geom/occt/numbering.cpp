@@ -51,7 +51,7 @@ void note_changes(int dim, const ShapeMaps& as_read, const SolidSet& set, const 
                   std::vector<std::string>& notes) {
   for (int i = 1; i <= as_read.of[dim].Extent(); ++i) {
     const int tag = numbering.tag(dim, images_of(as_read.of[dim](i), set).First());
-    if (tag == i) continue;
+    if (tag == i || tag == 0) continue;
     notes.push_back(fmt::format("numbers of {} differ from the file from number {} on", kPlural[dim], i));
     return;
   }

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Area of a face and its share of a solid's volume, integrated on the exact surface.
+#include "geom/occt/integrals.h"
+
+#include <BRep_Tool.hxx>
+#include <Geom2d_Curve.hxx>
+#include <Poly_PolygonOnTriangulation.hxx>
+#include <Poly_Triangulation.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <array>
+#include <cmath>
+
+namespace octet {
+namespace {
+
+constexpr double kAgree = 1e-5;  // of the rules of degree 2 and 5 on one triangle: degree 5 is then near 1e-7
+constexpr int kMaxSplits = 5;
+
+struct Sum {
+  double area = 0.0, volume = 0.0;
+  void add(const Sum& other, double weight) {
+    area += weight * other.area;
+    volume += weight * other.volume;
+  }
+};
+
+double cross2(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+class Integrator {
+ public:
+  Integrator(const Surface& surface, const Vec3& origin) : surface_(surface), origin_(origin) {}
+
+  [[nodiscard]] Sum triangle(const Vec2& a, const Vec2& b, const Vec2& c, int depth) const {
+    const double half = 0.5 * cross2(b - a, c - a);
+    const Sum coarse = degree_2(a, b, c), fine = degree_5(a, b, c);
+    Sum total;
+    if (depth < kMaxSplits && std::abs(fine.area - coarse.area) > kAgree * std::abs(fine.area)) {
+      const Vec2 ab = 0.5 * (a + b), bc = 0.5 * (b + c), ca = 0.5 * (c + a);
+      total.add(triangle(a, ab, ca, depth + 1), 1.0);
+      total.add(triangle(ab, b, bc, depth + 1), 1.0);
+      total.add(triangle(ca, bc, c, depth + 1), 1.0);
+      total.add(triangle(ab, bc, ca, depth + 1), 1.0);
+      return total;
+    }
+    total.add(fine, half);
+    return total;
+  }
+
+  /// What lies between the chord a-b and the loop's curve from a to b, to the left of the curve's way from
+  /// the chord: negative where the curve lies left of the chord.
+  template <class CurveAt>
+  [[nodiscard]] Sum sliver(const Vec2& a, const Vec2& b, const CurveAt& curve) const {
+    static constexpr std::array<double, 4> kNode = {0.069431844202974, 0.330009478207572, 0.669990521792428,
+                                                    0.930568155797026};
+    static constexpr std::array<double, 4> kWeight = {0.173927422568727, 0.326072577431273, 0.326072577431273,
+                                                      0.173927422568727};
+    Sum total;
+    for (int i = 0; i < 4; ++i) {
+      const Vec2 chord = a + kNode[i] * (b - a);
+      const auto [at, way] = curve(kNode[i]);
+      const Vec2 across = at - chord;
+      for (int j = 0; j < 4; ++j) {
+        const Vec2 along = (b - a) + kNode[j] * (way - (b - a));
+        total.add(value(chord + kNode[j] * across), -kWeight[i] * kWeight[j] * cross2(along, across));
+      }
+    }
+    return total;
+  }
+
+ private:
+  [[nodiscard]] Sum value(const Vec2& uv) const {
+    const SurfaceJet jet = surface_.evaluate(uv, 1);
+    const Vec3 n = jet.du.cross(jet.dv);
+    return {n.norm(), (jet.p - origin_).dot(n) / 3.0};
+  }
+
+  [[nodiscard]] Sum degree_2(const Vec2& a, const Vec2& b, const Vec2& c) const {
+    Sum sum;
+    for (const Vec2& p :
+         {Vec2((4.0 * a + b + c) / 6.0), Vec2((a + 4.0 * b + c) / 6.0), Vec2((a + b + 4.0 * c) / 6.0)})
+      sum.add(value(p), 1.0 / 3.0);
+    return sum;
+  }
+
+  /// Radon's rule of seven points.
+  [[nodiscard]] Sum degree_5(const Vec2& a, const Vec2& b, const Vec2& c) const {
+    static const double root = std::sqrt(15.0);
+    Sum sum;
+    sum.add(value((a + b + c) / 3.0), 9.0 / 40.0);
+    for (const double sign : {-1.0, 1.0}) {
+      const double w = (6.0 + sign * root) / 21.0, weight = (155.0 + sign * root) / 1200.0;
+      for (const Vec2& p : {Vec2(w * (a + b) + (1.0 - 2.0 * w) * c), Vec2(w * (b + c) + (1.0 - 2.0 * w) * a),
+                            Vec2(w * (c + a) + (1.0 - 2.0 * w) * b)})
+        sum.add(value(p), weight);
+    }
+    return sum;
+  }
+
+  const Surface& surface_;
+  const Vec3& origin_;
+};
+
+Vec2 uv_node(const Poly_Triangulation& triangulation, int i) {
+  const gp_Pnt2d uv = triangulation.UVNode(i);
+  return {uv.X(), uv.Y()};
+}
+
+/// The polygon of `edge` that runs along this pcurve: at a seam there are two, and their order is not told.
+Handle(Poly_PolygonOnTriangulation)
+    polygon_along(const Geom2d_Curve& pcurve, const TopoDS_Edge& edge,
+                  const Handle(Poly_Triangulation) & triangulation, const TopLoc_Location& place) {
+  Handle(Poly_PolygonOnTriangulation) best;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const TopAbs_Orientation way : {TopAbs_FORWARD, TopAbs_REVERSED}) {
+    const auto polygon =
+        BRep_Tool::PolygonOnTriangulation(TopoDS::Edge(edge.Oriented(way)), triangulation, place);
+    if (polygon.IsNull() || !polygon->HasParameters()) continue;
+    const int middle = (1 + polygon->NbNodes()) / 2;
+    const gp_Pnt2d at = pcurve.Value(polygon->Parameter(middle));
+    const double distance =
+        (uv_node(*triangulation, polygon->Node(middle)) - Vec2(at.X(), at.Y())).squaredNorm();
+    if (distance >= nearest) continue;
+    nearest = distance;
+    best = polygon;
+  }
+  return best;
+}
+
+void add_slivers(const TopoDS_Edge& edge, const TopoDS_Face& face,
+                 const Handle(Poly_Triangulation) & triangulation, const TopLoc_Location& place,
+                 const Integrator& integrator, Sum& total) {
+  if (edge.Orientation() != TopAbs_FORWARD && edge.Orientation() != TopAbs_REVERSED) return;
+  double first = 0.0, last = 0.0;
+  const auto pcurve = BRep_Tool::CurveOnSurface(edge, face, first, last);
+  if (pcurve.IsNull()) return;
+  const auto polygon = polygon_along(*pcurve, edge, triangulation, place);
+  if (polygon.IsNull()) return;
+  const double sign = edge.Orientation() == TopAbs_REVERSED ? -1.0 : 1.0;
+  for (int k = 1; k < polygon->NbNodes(); ++k) {
+    const double t0 = polygon->Parameter(k), step = polygon->Parameter(k + 1) - t0;
+    const auto at = [&](double share) {
+      gp_Pnt2d p;
+      gp_Vec2d d;
+      pcurve->D1(t0 + share * step, p, d);
+      return std::make_pair(Vec2(p.X(), p.Y()), Vec2(step * d.X(), step * d.Y()));
+    };
+    const Vec2 a = uv_node(*triangulation, polygon->Node(k)),
+               b = uv_node(*triangulation, polygon->Node(k + 1));
+    total.add(integrator.sliver(a, b, at), sign);
+  }
+}
+
+}  // namespace
+
+FaceIntegrals integrate_face(const TopoDS_Face& face, const Surface& surface, const Vec3& origin) {
+  const TopoDS_Face forward = TopoDS::Face(face.Oriented(TopAbs_FORWARD));
+  TopLoc_Location place;
+  const Handle(Poly_Triangulation) triangulation = BRep_Tool::Triangulation(forward, place);
+  if (triangulation.IsNull()) return {};
+  const Integrator integrator(surface, origin);
+  Sum total;
+  for (int i = 1; i <= triangulation->NbTriangles(); ++i) {
+    int a = 0, b = 0, c = 0;
+    triangulation->Triangle(i).Get(a, b, c);
+    total.add(integrator.triangle(uv_node(*triangulation, a), uv_node(*triangulation, b),
+                                  uv_node(*triangulation, c), 0),
+              1.0);
+  }
+  for (TopExp_Explorer it(forward, TopAbs_EDGE); it.More(); it.Next())
+    add_slivers(TopoDS::Edge(it.Current()), forward, triangulation, place, integrator, total);
+  const double side = face.Orientation() == TopAbs_REVERSED ? -1.0 : 1.0;
+  return {std::abs(total.area), side * total.volume};
+}
+
+}  // namespace octet
