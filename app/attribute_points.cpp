@@ -35,6 +35,7 @@ class AttributeLoop {
   AttributeResult run(Observer& observer) {
     for (result_.rounds = 0; result_.rounds < limits_.rounds; ++result_.rounds) {
       if (observer.cancelled()) throw Cancelled();
+      moved_ = band_.repair(mesh(), on_);
       result_.gaps = find_gaps(band_, mesh(), on_, chains_);
       observer.note(round_text());
       if (result_.gaps.empty() || result_.points >= limits_.points) return std::move(result_);
@@ -43,6 +44,7 @@ class AttributeLoop {
       relabel();
       if (result_.points == before) return std::move(result_);
     }
+    band_.repair(mesh(), on_);
     result_.gaps = find_gaps(band_, mesh(), on_, chains_);
     return std::move(result_);
   }
@@ -235,6 +237,7 @@ class AttributeLoop {
   AttributeLimits limits_;
   const Model& model_;
   AttributeResult result_;
+  std::size_t moved_ = 0;
   std::vector<std::uint8_t> changed_;  ///< per tetrahedron: made in this round
   std::vector<TetId> relabel_, created_, cavity_;
   TetId last_;

@@ -20,18 +20,17 @@ constexpr double kNormal = 0.5;
 /// equilateral triangle whose edges turn by 60 degrees.
 constexpr double kDistance = 0.2;
 
-enum class TetKind { kGhost, kInterior, kAsk };
-
-/// A tetrahedron of octree vertices of one region lies in it, unless a sheet passes between: then that
-/// sheet's own points are vertices too.
-TetKind tet_kind(const TetMesh& mesh, std::span<const ModelRef> on, TetId t) {
-  if (mesh.ghost(t)) return TetKind::kGhost;
-  const auto& v = mesh.tets[t];
-  const ModelRef first = on[v[0].index()];
-  if (first.dim != 3) return TetKind::kAsk;
-  for (int i = 1; i < 4; ++i)
-    if (on[v[i].index()] != first) return TetKind::kAsk;
-  return TetKind::kInterior;
+/// Region of the octree vertices of a tetrahedron: kUnknown where it has none, or some of different regions.
+/// Octree vertices keep 0.6 of the size from the surface, so what holds one lies where it lies.
+std::int32_t region_of_octree_vertices(const TetMesh& mesh, std::span<const ModelRef> on, TetId t) {
+  std::int32_t region = kUnknown;
+  for (const VertexId v : mesh.tets[t]) {
+    const ModelRef ref = on[v.index()];
+    if (ref.dim != 3) continue;
+    if (region != kUnknown && region != ref.tag) return kUnknown;
+    region = ref.tag;
+  }
+  return region;
 }
 
 }  // namespace
@@ -103,13 +102,13 @@ void Band::update(const TetMesh& mesh, std::span<const ModelRef> on, std::span<c
       const TetId t = created[i];
       if (!mesh.alive(t)) continue;
       facet_on_[t] = {kUnknown, kUnknown, kUnknown, kUnknown};
-      const TetKind kind = tet_kind(mesh, on, t);
-      const auto& v = mesh.tets[t];
-      if (kind == TetKind::kGhost) {
+      if (mesh.ghost(t)) {
         region_[t] = 0;
-      } else if (kind == TetKind::kInterior) {
-        region_[t] = on[v[0].index()].tag;
-      } else {
+        continue;
+      }
+      region_[t] = region_of_octree_vertices(mesh, on, t);
+      if (region_[t] == kUnknown) {
+        const auto& v = mesh.tets[t];
         const Circumcentre c =
             circumcentre(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], mesh.points[v[3]]);
         is_flat[i] = !c.reliable;
@@ -121,13 +120,64 @@ void Band::update(const TetMesh& mesh, std::span<const ModelRef> on, std::span<c
   for (std::size_t i = 0; i < created.size(); ++i) {
     if (!mesh.alive(created[i])) continue;
     if (is_flat[i]) flat.push_back(created[i]);
-    for (int f = 0; f < 4; ++f) {
-      const TetId n = mesh.neighbours[created[i]][f];
-      for (int g = 0; g < 4; ++g)
-        if (mesh.neighbours[n][g] == created[i]) facet_on_[n][g] = kUnknown;
-    }
+    forget_facets(mesh, created[i]);
   }
   label_flat(mesh, flat);
+}
+
+void Band::forget_facets(const TetMesh& mesh, TetId t) {
+  facet_on_[t] = {kUnknown, kUnknown, kUnknown, kUnknown};
+  for (const TetId n : mesh.neighbours[t])
+    for (int g = 0; g < 4; ++g)
+      if (mesh.neighbours[n][g] == t) facet_on_[n][g] = kUnknown;
+}
+
+std::size_t Band::repair(const TetMesh& mesh, std::span<const ModelRef> on) {
+  constexpr int kPasses = 8;
+  std::size_t moved = 0;
+  for (int pass = 0; pass < kPasses; ++pass) {
+    std::size_t moved_now = 0;
+    for (const BoundaryFacet& facet : facets(mesh, on)) {
+      if (facet.face != 0) continue;
+      const TetId t = facet.tet, n = mesh.neighbours[t][facet.local];
+      const int here = region_[t], there = region_[n];
+      if (here == there) continue;  // moved in this pass
+      for (const auto& [tet, to] : {std::pair{t, there}, std::pair{n, here}}) {
+        if (!movable(mesh, on, tet)) continue;
+        if (misfits(mesh, on, tet, to) >= misfits(mesh, on, tet, region_[tet])) continue;
+        move(mesh, tet, to);
+        ++moved_now;
+        break;
+      }
+    }
+    moved += moved_now;
+    if (moved_now == 0) break;
+  }
+  return moved;
+}
+
+bool Band::movable(const TetMesh& mesh, std::span<const ModelRef> on, TetId t) const {
+  if (mesh.ghost(t)) return false;
+  return std::all_of(mesh.tets[t].begin(), mesh.tets[t].end(),
+                     [&](VertexId v) { return on[v.index()].dim < 3; });
+}
+
+/// Facets of t that would fit no model face if t lay in `region`.
+int Band::misfits(const TetMesh& mesh, std::span<const ModelRef> on, TetId t, int region) const {
+  int count = 0;
+  const auto& v = mesh.tets[t];
+  for (std::int8_t f = 0; f < 4; ++f) {
+    const int across = region_[mesh.neighbours[t][f]];
+    if (across == region) continue;
+    const BoundaryFacet facet{t, f, kUnknown, {v[kTetFace[f][0]], v[kTetFace[f][1]], v[kTetFace[f][2]]}};
+    count += classify_facet(mesh, on, facet, region, across) == 0;
+  }
+  return count;
+}
+
+void Band::move(const TetMesh& mesh, TetId t, int region) {
+  region_[t] = region;
+  forget_facets(mesh, t);
 }
 
 /// A flat tetrahedron takes the region across its largest face: either choice gives a triangulation of the
@@ -176,7 +226,8 @@ const std::vector<BoundaryFacet>& Band::facets(const TetMesh& mesh, std::span<co
     for (std::size_t i = range.begin(); i != range.end(); ++i) {
       BoundaryFacet& facet = facets_[i];
       if (facet.face == kUnknown)
-        facet.face = classify_facet(mesh, on, facet, region_[mesh.neighbours[facet.tet][facet.local]]);
+        facet.face = classify_facet(mesh, on, facet, region_[facet.tet],
+                                    region_[mesh.neighbours[facet.tet][facet.local]]);
     }
   });
   for (const BoundaryFacet& facet : facets_) facet_on_[facet.tet][facet.local] = facet.face;
@@ -184,8 +235,7 @@ const std::vector<BoundaryFacet>& Band::facets(const TetMesh& mesh, std::span<co
 }
 
 int Band::classify_facet(const TetMesh& mesh, std::span<const ModelRef> on, const BoundaryFacet& facet,
-                         int region_front) const {
-  const int region_behind = region_[facet.tet];
+                         int region_behind, int region_front) const {
   std::array<const std::vector<int>*, 3> lists;
   for (int i = 0; i < 3; ++i) lists[i] = &faces_of(on[facet.v[i].index()]);
   std::sort(lists.begin(), lists.end(), [](const auto* a, const auto* b) { return a->size() < b->size(); });

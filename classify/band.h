@@ -62,6 +62,11 @@ class Band {
   /// Labels the given tetrahedra anew. `on` gives the classification of every vertex of the mesh.
   void update(const TetMesh& mesh, std::span<const ModelRef> on, std::span<const TetId> created);
 
+  /// Moves tetrahedra of boundary points alone to the region across a facet that fits no model face, where
+  /// that leaves fewer such facets around them: at cusps and creases a circumcentre may fall just beyond the
+  /// boundary. Returns how many moved.
+  std::size_t repair(const TetMesh& mesh, std::span<const ModelRef> on);
+
   [[nodiscard]] int region(TetId t) const { return region_[t]; }
   /// All facets between different regions, ascending by tetrahedron; those of the last call that did not
   /// change keep their classification without new queries.
@@ -70,9 +75,13 @@ class Band {
   [[nodiscard]] const Model& model() const { return *model_; }
 
  private:
+  [[nodiscard]] bool movable(const TetMesh& mesh, std::span<const ModelRef> on, TetId t) const;
+  [[nodiscard]] int misfits(const TetMesh& mesh, std::span<const ModelRef> on, TetId t, int region) const;
+  void move(const TetMesh& mesh, TetId t, int region);
+  void forget_facets(const TetMesh& mesh, TetId t);
   void label_flat(const TetMesh& mesh, const std::vector<TetId>& flat);
   [[nodiscard]] int classify_facet(const TetMesh& mesh, std::span<const ModelRef> on,
-                                   const BoundaryFacet& facet, int region_front) const;
+                                   const BoundaryFacet& facet, int region_behind, int region_front) const;
   [[nodiscard]] bool fits(const TetMesh& mesh, const BoundaryFacet& facet, int face, int region_front) const;
   [[nodiscard]] const std::vector<int>& faces_of(ModelRef on) const;
 
