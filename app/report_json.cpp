@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Keys are stable: tests/corpus.sh and users' scripts read them.
+// Keys are stable: tests/corpus.py and users' scripts read them.
 #include "app/report_json.h"
 
 #include <cmath>

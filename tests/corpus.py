@@ -1,0 +1,200 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Meshes every part of a folder and prints one table: what came out, what `octet check` says, what judges say.
+
+    tests/corpus.py FOLDER|FILE... [--octet build/app/octet] [--sizes default,40] [--limit 300]
+                    [--manifest TSV --difficulty easy --kind solid] [--meshstat PATH] [--meshvscad PATH]
+                    [--keep DIR] [--jobs 1]
+
+A size is `default` or a number N: the part's diagonal / N. A manifest is a tab separated table with the columns
+name, difficulty and kind. The judges are independent programs that print JSON (`meshstat MESH`,
+`meshvscad PART MESH`). The exit code is 0 when every run is complete and every judge content.
+"""
+import argparse
+import csv
+import json
+import math
+import os
+import subprocess
+import sys
+import tempfile
+import time
+from concurrent.futures import ThreadPoolExecutor
+
+SUFFIXES = (".step", ".stp", ".iges", ".igs", ".brep", ".brp")
+STATUS = {0: "complete", 2: "refused", 3: "incomplete", 4: "failed"}
+HEAD = ("file", "size", "status", "tets", "min dih", "p1 dih", "vol err", "check", "stat", "cad", "seconds", "why")
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("parts", nargs="+", help="folders or CAD files")
+    parser.add_argument("--octet", default="build/app/octet")
+    parser.add_argument("--sizes", default="default,40", help="comma separated: default, or N for diagonal/N")
+    parser.add_argument("--limit", type=float, default=300.0, help="seconds a run may take")
+    parser.add_argument("--manifest", help="TSV with the columns name, difficulty, kind")
+    parser.add_argument("--difficulty", help="comma separated; only these rows of the manifest")
+    parser.add_argument("--kind", help="comma separated; only these rows of the manifest")
+    parser.add_argument("--match", help="only files whose name holds this")
+    parser.add_argument("--meshstat")
+    parser.add_argument("--meshvscad")
+    parser.add_argument("--keep", help="keep meshes and reports in this directory")
+    parser.add_argument("--jobs", type=int, default=1, help="parts at a time")
+    return parser.parse_args()
+
+
+def chosen_parts(args):
+    files = []
+    for part in args.parts:
+        if os.path.isdir(part):
+            files += [os.path.join(part, n) for n in sorted(os.listdir(part)) if n.lower().endswith(SUFFIXES)]
+        else:
+            files.append(part)
+    if args.manifest:
+        with open(args.manifest, newline="", encoding="utf-8") as table:
+            rows = {row["name"]: row for row in csv.DictReader(table, delimiter="\t", quoting=csv.QUOTE_NONE)}
+        files = [f for f in files if os.path.basename(f) in rows]
+        for column in ("difficulty", "kind"):
+            wanted = getattr(args, column)
+            if wanted:
+                files = [f for f in files if rows[os.path.basename(f)][column] in wanted.split(",")]
+    return [f for f in files if not args.match or args.match in os.path.basename(f)]
+
+
+def call(command, limit):
+    """(exit code or None when out of time, stdout, stderr, seconds)"""
+    start = time.monotonic()
+    try:
+        done = subprocess.run(command, capture_output=True, timeout=limit, check=False)
+        code, out, err = done.returncode, done.stdout, done.stderr
+    except subprocess.TimeoutExpired as late:
+        code, out, err = None, late.stdout or b"", late.stderr or b""
+    return code, out.decode(errors="replace"), err.decode(errors="replace"), time.monotonic() - start
+
+
+def judge_mesh(args, mesh):
+    """Verdict of meshstat: `ok`, or its first reason."""
+    _, out, err, _ = call([args.meshstat, "--compact", mesh], args.limit)
+    try:
+        report = json.loads(out)
+    except ValueError:
+        return "crash " + err.strip()[:60]
+    if report.get("valid"):
+        return "ok"
+    problems = report.get("problems") or [report.get("error", "not valid")]
+    return str(problems[0])
+
+
+def judge_part(args, part, mesh):
+    """Verdict of meshvscad: `ok`, or what of the CAD the mesh lacks."""
+    _, out, err, _ = call([args.meshvscad, part, mesh], args.limit)
+    try:
+        report = json.loads(out)
+    except ValueError:
+        return "crash " + err.strip()[:60]
+    if "error" in report:
+        return str(report["error"])
+    faces, edges, vertices = report["faces"], report["model_edges"], report["model_vertices"]
+    lacks = {
+        "faces": faces["with_no_triangle"],
+        "far faces": faces["farther_than_half_edge"],
+        "sharp edges": edges["missing_sharp"],
+        "smooth edges": edges["missing_smooth"],
+        "vertices": vertices["missing"] - vertices["missing_artificial"],
+    }
+    missing = [f"{n} {name}" for name, n in lacks.items() if n]
+    if abs(report["volume_error"]) > 0.1:
+        missing.append(f"volume {100 * report['volume_error']:+.2g} %")
+    return ("lacks " + ", ".join(missing)) if missing else "ok"
+
+
+def size_options(args, part, size):
+    if size == "default":
+        return []
+    code, out, err, _ = call([args.octet, "info", part, "--json"], args.limit)
+    if code != 0:
+        raise RuntimeError(err.strip() if code is not None else "octet info ran out of time")
+    return ["--size", repr(json.loads(out)["diagonal"] / float(size))]
+
+
+def run_one(args, part, size, folder):
+    name = os.path.basename(part)
+    mesh = os.path.join(folder, f"{name}-{size}.msh")
+    report_file = mesh + ".json"
+    row = dict.fromkeys(HEAD, "-")
+    row.update(file=name, size=size if size == "default" else f"d/{size}", status="-", why="", good=False)
+    try:
+        options = size_options(args, part, size)
+    except RuntimeError as error:
+        row.update(status="refused", why=str(error))
+        return row
+    command = [args.octet, "mesh", part, "-o", mesh, "--report", report_file, "--quiet"] + options
+    code, _, err, seconds = call(command, args.limit)
+    row["seconds"] = f"{seconds:.1f}"
+    row["status"] = "timeout" if code is None else STATUS.get(code, f"crash {code}")
+    row["why"] = err.strip().replace("\n", " ")
+    if code not in (0, 3):
+        return row
+    with open(report_file, encoding="utf-8") as file:
+        report = json.load(file)
+    row["tets"] = report["tets"]
+    row["min dih"] = f"{report['quality']['min_dihedral']:.1f}"
+    row["p1 dih"] = f"{report['quality']['p1_min_dihedral']:.1f}"
+    row["vol err"] = f"{report['volume']['relative_error']:+.1e}"
+    if report["faults"]:
+        fault = report["faults"][0]
+        row["why"] = f"{len(report['faults'])} faults: {fault['entity']}: {fault['cause']}"
+    check, _, err, _ = call([args.octet, "check", mesh, part], args.limit)
+    row["check"] = "timeout" if check is None else {0: "ok", 3: "broken"}.get(check, f"exit {check} {err.strip()}")
+    verdicts = [row["check"]]
+    if args.meshstat:
+        row["stat"] = judge_mesh(args, mesh)
+        verdicts.append(row["stat"])
+    if args.meshvscad:
+        row["cad"] = judge_part(args, part, mesh)
+        verdicts.append(row["cad"])
+    row["good"] = code == 0 and all(v == "ok" for v in verdicts)
+    row["dihedral"] = report["quality"]["min_dihedral"]
+    if not args.keep:
+        os.remove(mesh)
+    return row
+
+
+def print_table(rows):
+    widths = {h: max([len(h)] + [len(str(r[h])) for r in rows]) for h in HEAD if h != "why"}
+    widths["why"] = 3
+    print(" | ".join(h.ljust(widths[h]) for h in HEAD))
+    for row in rows:
+        print(" | ".join(str(row[h]).ljust(widths[h]) for h in HEAD).rstrip())
+
+
+def main():
+    args = arguments()
+    parts = chosen_parts(args)
+    if not parts:
+        print("no part to mesh", file=sys.stderr)
+        return 2
+    sizes = args.sizes.split(",")
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = args.keep or scratch
+        os.makedirs(folder, exist_ok=True)
+        with ThreadPoolExecutor(max_workers=args.jobs) as pool:
+            jobs = [pool.submit(run_one, args, p, s, folder) for p in parts for s in sizes]
+            rows = []
+            for job in jobs:
+                rows.append(job.result())
+                if sys.stderr.isatty():
+                    print(f"\r{len(rows)}/{len(jobs)}", end="", file=sys.stderr)
+    print_table(rows)
+    good = sum(r["good"] for r in rows)
+    complete = sum(r["status"] == "complete" for r in rows)
+    angles = [r["dihedral"] for r in rows if r.get("dihedral") is not None]
+    least = min(angles) if angles else math.nan
+    sharp = sum(a < 15.0 for a in angles)
+    print(f"{len(parts)} parts, {len(rows)} runs: {complete} complete, {good} complete and confirmed by every judge; "
+          f"smallest dihedral {least:.1f} degrees, below 15 degrees in {sharp} runs")
+    return 0 if good == len(rows) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
