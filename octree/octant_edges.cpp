@@ -30,21 +30,29 @@ constexpr std::array<std::array<std::uint8_t, 3>, 12> edge_places() {
 std::vector<OctantEdge> boundary_octant_edges(const Octree& tree, const OctreeVertices& vertices,
                                               const OctantTypes& types) {
   static constexpr auto kPlaces = edge_places();
-  std::vector<OctantEdge> edges;
+  // Packed as numbers, which sort twice as fast as pairs and in the same order.
+  std::vector<std::uint64_t> packed;
+  const auto add = [&](std::uint32_t from, std::uint32_t to) {
+    packed.push_back(std::uint64_t{from} << 32 | to);
+  };
   for (std::size_t i = 0; i < tree.size(); ++i) {
     if (types.type[i] != OctantType::kBoundary) continue;
     const OctantLattice lattice = octant_lattice(tree, vertices, OctantId(i));
     for (const auto& [from, middle, to] : kPlaces) {
       if (lattice[middle] == kNoVertex) {
-        edges.push_back({lattice[from], lattice[to]});
+        add(lattice[from], lattice[to]);
       } else {
-        edges.push_back({lattice[from], lattice[middle]});
-        edges.push_back({lattice[middle], lattice[to]});
+        add(lattice[from], lattice[middle]);
+        add(lattice[middle], lattice[to]);
       }
     }
   }
-  tbb::parallel_sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  tbb::parallel_sort(packed.begin(), packed.end());
+  packed.erase(std::unique(packed.begin(), packed.end()), packed.end());
+  std::vector<OctantEdge> edges(packed.size());
+  std::transform(packed.begin(), packed.end(), edges.begin(), [](std::uint64_t edge) {
+    return OctantEdge{static_cast<std::uint32_t>(edge >> 32), static_cast<std::uint32_t>(edge)};
+  });
   return edges;
 }
 

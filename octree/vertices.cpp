@@ -33,7 +33,8 @@ Corners octants_at_corners(const Octree& tree) {
         owner[i][c] = kNoVertex;
         if (std::max({p[0], p[1], p[2]}) == kLatticeExtent) continue;
         const OctantId found = tree.find(p);
-        if (tree[found].corner == p) owner[i][c] = found.index();
+        const Lattice& at = tree[found].corner;
+        if (at[0] == p[0] && at[1] == p[1] && at[2] == p[2]) owner[i][c] = found.index();
       }
     }
   });
