@@ -300,43 +300,4 @@ bool FacetBvh::meets(const Box3& box) const {
   return false;
 }
 
-std::optional<FacetFoot> FacetBvh::nearest(const Vec3& p, double max_distance, int face) const {
-  const std::int32_t root = root_of(face);
-  if (root < 0) return std::nullopt;
-  FacetFoot best;
-  best.distance = max_distance;
-  bool found = false;
-  double best2 = max_distance < 1e150 ? max_distance * max_distance : kInfinity;
-  struct Entry {
-    std::int32_t node;
-    double d2;
-  };
-  std::array<Entry, 128> stack;
-  int size = 0;
-  stack[size++] = {root, squared_distance(nodes_[root], p)};
-  while (size > 0) {
-    const Entry entry = stack[--size];
-    if (entry.d2 > best2) continue;
-    const Node& node = nodes_[entry.node];
-    if (node.second >= 0) {
-      Entry near{node.first, squared_distance(nodes_[node.first], p)};
-      Entry far{node.second, squared_distance(nodes_[node.second], p)};
-      if (far.d2 < near.d2) std::swap(near, far);
-      if (far.d2 <= best2) stack[size++] = far;
-      if (near.d2 <= best2) stack[size++] = near;
-      continue;
-    }
-    for (std::int32_t i = node.first; i < node.first - node.second; ++i) {
-      const FacetFoot near = foot(items_[i], p);
-      const bool better = near.distance < best.distance ||
-                          (near.distance == best.distance && (!found || near.triangle < best.triangle));
-      if (!better) continue;
-      best = near;
-      best2 = near.distance * near.distance;
-      found = true;
-    }
-  }
-  return found ? std::optional(best) : std::nullopt;
-}
-
 }  // namespace octet

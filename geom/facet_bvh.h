@@ -4,8 +4,10 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "geom/facets.h"
@@ -44,7 +46,13 @@ class FacetBvh {
   [[nodiscard]] bool meets(const Box3& box) const;
   /// Nearest triangle of the face (0: of all), none when farther than `max_distance`. Ties: the lowest
   /// triangle, up to rounding.
-  [[nodiscard]] std::optional<FacetFoot> nearest(const Vec3& p, double max_distance, int face = 0) const;
+  [[nodiscard]] std::optional<FacetFoot> nearest(const Vec3& p, double max_distance, int face = 0) const {
+    return nearest_if(p, max_distance, face, [](std::uint32_t) { return true; });
+  }
+  /// The same among the triangles for which accept(triangle).
+  template <class Accept>
+  [[nodiscard]] std::optional<FacetFoot> nearest_if(const Vec3& p, double max_distance, int face,
+                                                    const Accept& accept) const;
 
   [[nodiscard]] double grow(std::uint32_t triangle) const { return grow_[triangle]; }
   [[nodiscard]] double max_grow() const { return max_grow_; }
@@ -122,6 +130,48 @@ void FacetBvh::visit_within(const Vec3& p, double radius, int face, const Visit&
       if (near.distance <= radius + items_[i].grow) visit(near);
     }
   }
+}
+
+template <class Accept>
+std::optional<FacetFoot> FacetBvh::nearest_if(const Vec3& p, double max_distance, int face,
+                                              const Accept& accept) const {
+  const std::int32_t root = root_of(face);
+  if (root < 0) return std::nullopt;
+  FacetFoot best;
+  best.distance = max_distance;
+  bool found = false;
+  double best2 = max_distance < 1e150 ? max_distance * max_distance : std::numeric_limits<double>::infinity();
+  struct Entry {
+    std::int32_t node;
+    double d2;
+  };
+  std::array<Entry, 128> stack;
+  int size = 0;
+  stack[size++] = {root, squared_distance(nodes_[root], p)};
+  while (size > 0) {
+    const Entry entry = stack[--size];
+    if (entry.d2 > best2) continue;
+    const Node& node = nodes_[entry.node];
+    if (node.second >= 0) {
+      Entry near{node.first, squared_distance(nodes_[node.first], p)};
+      Entry far{node.second, squared_distance(nodes_[node.second], p)};
+      if (far.d2 < near.d2) std::swap(near, far);
+      if (far.d2 <= best2) stack[size++] = far;
+      if (near.d2 <= best2) stack[size++] = near;
+      continue;
+    }
+    for (std::int32_t i = node.first; i < node.first - node.second; ++i) {
+      if (!accept(items_[i].triangle)) continue;
+      const FacetFoot near = foot(items_[i], p);
+      const bool better = near.distance < best.distance ||
+                          (near.distance == best.distance && (!found || near.triangle < best.triangle));
+      if (!better) continue;
+      best = near;
+      best2 = near.distance * near.distance;
+      found = true;
+    }
+  }
+  return found ? std::optional(best) : std::nullopt;
 }
 
 }  // namespace octet

@@ -205,11 +205,13 @@ double Model::face_curvature(int tag, const Vec2& uv) const {
   const Vec3 n = surface(tag).normal(uv);
   const double e = j.du.dot(j.du), f = j.du.dot(j.dv), g = j.dv.dot(j.dv);
   const double l = j.duu.dot(n), m = j.duv.dot(n), k = j.dvv.dot(n);
-  const double area2 = e * g - f * f;
-  if (!(area2 > 1e-24 * e * g) || e * g == 0.0) return 0.0;
-  const double gauss = (l * k - m * m) / area2;
-  const double mean = (e * k - 2.0 * f * m + g * l) / (2.0 * area2);
-  return std::abs(mean) + std::sqrt(std::max(mean * mean - gauss, 0.0));
+  if (!(e * g - f * f > 1e-24 * e * g) || e * g == 0.0) return 0.0;
+  // The second form in an orthonormal basis of the tangent plane, du first: symmetric, so its larger
+  // eigenvalue comes without cancellation.
+  const double shear = f / e, height2 = g - f * shear;
+  const double a = l / e, b = (m - shear * l) / std::sqrt(e * height2);
+  const double c = (k - 2.0 * shear * m + shear * shear * l) / height2;
+  return 0.5 * std::abs(a + c) + std::hypot(0.5 * (a - c), b);
 }
 
 bool Model::near_boundary(const Box3& box) const { return data_->bvh.meets(box); }

@@ -13,7 +13,7 @@ namespace octet {
 /// axis. For two planes that meet in an edge, b has a's distance from that edge; for parallel sheets b is
 /// straight across. Found by shrinking the ball (Ma, Bae, Choi 2012). `side` = +1: along `normal`, -1:
 /// against it. None when |b - a| > max_distance, or when b is a's own neighbourhood (a smooth, well curved
-/// sheet: the ball's radius is the curvature radius and b -> a).
+/// sheet: the ball's radius is the curvature radius and b -> a). The foot's distance is |b - a|.
 [[nodiscard]] std::optional<Foot> opposite_point(const Model& model, const Vec3& a, int face_of_a,
                                                  const Vec3& normal, int side, double max_distance);
 

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where the part itself asks for smaller elements: turning edges and faces, short edges, close edges.
+#include "geom/sizing.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string_view>
+#include <utility>
+
+#include "geom/facet_bvh.h"
+
+namespace octet {
+namespace {
+
+/// An edge walked in steps: points, parameters and chord lengths.
+struct EdgeWalk {
+  int edge = 0;
+  std::vector<double> t;
+  std::vector<Vec3> point, tangent;
+};
+
+EdgeWalk walk_edge(const Model& model, int tag, double step) {
+  const ModelEdge& edge = model.edge(tag);
+  const bool straight = std::string_view(model.curve(tag).kind()) == "line";
+  const int least = straight ? 8 : 24;
+  const int n = std::clamp(static_cast<int>(std::ceil(edge.length / step)), least, 4096);
+  EdgeWalk walk;
+  walk.edge = tag;
+  for (int i = 0; i <= n; ++i) {
+    const double t = i == n ? edge.t1 : edge.t0 + (edge.t1 - edge.t0) * i / n;
+    walk.t.push_back(t);
+    walk.point.push_back(model.edge_point(tag, t));
+    const Vec3 d = model.edge_derivative(tag, t);
+    const double speed = d.norm();
+    walk.tangent.push_back(speed > 0.0 ? Vec3(d / speed) : Vec3::Zero());
+  }
+  return walk;
+}
+
+double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
+
+/// All walks as a hierarchy of chords, to find the nearest edge that is no neighbour.
+class ChordIndex {
+ public:
+  ChordIndex(const Model& model, const std::vector<EdgeWalk>& walks) : model_(model) {
+    Facets chords;
+    for (const EdgeWalk& walk : walks)
+      for (std::size_t i = 0; i + 1 < walk.point.size(); ++i) {
+        const auto n = static_cast<std::uint32_t>(chords.nodes.size());
+        chords.nodes.push_back(walk.point[i]);
+        chords.nodes.push_back(walk.point[i + 1]);
+        chords.triangles.push_back({n, n + 1, n + 1});
+        chords.face.push_back(1);
+        chord_.push_back({walk.edge, 0.5 * (walk.t[i] + walk.t[i + 1])});
+      }
+    bvh_ = FacetBvh(chords, std::vector<double>(chords.triangles.size(), 0.0), 1);
+  }
+
+  /// Distance from p to the nearest edge that shares no vertex with `edge`, infinite beyond `limit`.
+  [[nodiscard]] double gap(int edge, const Vec3& p, double limit) const {
+    const auto stranger = [&](std::uint32_t c) { return !neighbours(edge, chord_[c].edge); };
+    const auto near = bvh_.nearest_if(p, limit, 0, stranger);
+    if (!near) return std::numeric_limits<double>::infinity();
+    const Chord& c = chord_[near->triangle];
+    return std::min(near->distance, model_.edge_project(c.edge, p, c.t).distance);
+  }
+
+ private:
+  struct Chord {
+    int edge;
+    double t;
+  };
+  [[nodiscard]] bool neighbours(int a, int b) const {
+    if (a == b) return true;
+    for (const int v : model_.edge(a).vertex)
+      for (const int w : model_.edge(b).vertex)
+        if (v == w) return true;
+    return false;
+  }
+  const Model& model_;
+  FacetBvh bvh_;
+  std::vector<Chord> chord_;
+};
+
+/// Gathers wishes below the size asked for, none below the smallest.
+class Wishes {
+ public:
+  explicit Wishes(const SizingOptions& options) : options_(options) {}
+  [[nodiscard]] double floored(double size) const { return std::max(size, options_.min_size); }
+  [[nodiscard]] bool counts(double size) const { return floored(size) < options_.size; }
+  void add(const Vec3& place, double size) {
+    if (counts(size)) samples_.push_back({place, floored(size)});
+  }
+  std::vector<SizeSample> take() { return std::move(samples_); }
+
+ private:
+  SizingOptions options_;
+  std::vector<SizeSample> samples_;
+};
+
+/// Turning per length between the steps gives the curvature without second derivatives, kinks included.
+double turning_size(const EdgeWalk& walk, std::size_t step, double angle) {
+  const double turn = angle_between(walk.tangent[step], walk.tangent[step + 1]);
+  const double length = (walk.point[step + 1] - walk.point[step]).norm();
+  return turn > 1e-9 ? angle * length / turn : std::numeric_limits<double>::infinity();
+}
+
+void wish_on_edge(const Model& model, const EdgeWalk& walk, const ChordIndex& index,
+                  const SizingOptions& options, Wishes& wishes) {
+  const ModelEdge& edge = model.edge(walk.edge);
+  const double whole = edge.vertex[0] != edge.vertex[1] && options.edge_share > 0.0
+                           ? options.edge_share * edge.length
+                           : std::numeric_limits<double>::infinity();
+  const auto gap_at = [&](std::size_t i) {
+    if (!(options.gap_share > 0.0)) return std::numeric_limits<double>::infinity();
+    return options.gap_share * index.gap(walk.edge, walk.point[i], options.size / options.gap_share);
+  };
+  double gap = gap_at(0);
+  for (std::size_t i = 0; i + 1 < walk.point.size(); ++i) {
+    const double next_gap = gap_at(i + 1);
+    double size = std::min({whole, gap, next_gap});
+    if (options.curvature_angle > 0.0) size = std::min(size, turning_size(walk, i, options.curvature_angle));
+    gap = next_gap;
+    if (!wishes.counts(size)) continue;
+    const double length = (walk.point[i + 1] - walk.point[i]).norm();
+    const int pieces = std::clamp(static_cast<int>(std::ceil(length / wishes.floored(size))), 1, 4096);
+    for (int k = 0; k <= pieces; ++k)
+      wishes.add(model.edge_point(walk.edge, walk.t[i] + (walk.t[i + 1] - walk.t[i]) * k / pieces), size);
+  }
+}
+
+/// A facet is curved as its most curved corner; facets larger than the wish get a lattice of samples.
+void wish_on_facet(const Facets& facets, std::size_t triangle, double size, Wishes& wishes) {
+  const auto& t = facets.triangles[triangle];
+  const Vec3 &a = facets.nodes[t[0]], &b = facets.nodes[t[1]], &c = facets.nodes[t[2]];
+  const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+  const int n = std::clamp(static_cast<int>(std::ceil(longest / wishes.floored(size))), 1, 256);
+  if (n == 1) {
+    wishes.add((a + b + c) / 3.0, size);
+    return;
+  }
+  for (int i = 0; i <= n; ++i)
+    for (int j = 0; i + j <= n; ++j) wishes.add(a + (b - a) * i / n + (c - a) * j / n, size);
+}
+
+void wish_on_faces(const Model& model, double angle, Wishes& wishes) {
+  const Facets& facets = model.facets();
+  for (std::size_t i = 0; i < facets.triangles.size(); ++i) {
+    const int face = facets.face[i];
+    if (std::string_view(model.surface(face).kind()) == "plane") continue;
+    double curvature = 0.0;
+    for (const Vec2& uv : facets.uv[i]) curvature = std::max(curvature, model.face_curvature(face, uv));
+    if (curvature > 0.0 && wishes.counts(angle / curvature))
+      wish_on_facet(facets, i, angle / curvature, wishes);
+  }
+}
+
+}  // namespace
+
+std::vector<SizeSample> feature_sizes(const Model& model, const SizingOptions& options) {
+  Wishes wishes(options);
+  std::vector<EdgeWalk> walks;
+  for (int e = 1; e <= model.count(1); ++e)
+    if (model.edge(e).use == EdgeUse::kReal) walks.push_back(walk_edge(model, e, 0.5 * options.size));
+  const ChordIndex index(model, walks);
+  for (const EdgeWalk& walk : walks) wish_on_edge(model, walk, index, options, wishes);
+  if (options.curvature_angle > 0.0) wish_on_faces(model, options.curvature_angle, wishes);
+  return wishes.take();
+}
+
+// Twice the volume over the surface is the thickness of a plate and a third of a cube's side. The size is
+// that thickness, but no coarser than a twentieth of the diagonal, which is what compact parts get, and no
+// finer than a hundredth, so that a thin sheet costs no more than about a hundred elements each way.
+double default_size(const Model& model) {
+  double volume = 0.0, area = 0.0;
+  for (int r = 1; r <= model.count(3); ++r) volume += std::abs(model.region(r).volume);
+  for (int f = 1; f <= model.count(2); ++f) area += std::abs(model.face(f).area);
+  const double coarsest = model.diagonal() / 20.0, finest = model.diagonal() / 100.0;
+  return area > 0.0 ? std::clamp(2.0 * volume / area, finest, coarsest) : coarsest;
+}
+
+}  // namespace octet

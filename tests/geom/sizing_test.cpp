@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Wishes for smaller elements.
+#include "geom/sizing.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/geom/sample_models.h"
+
+namespace octet {
+namespace {
+
+double smallest(const std::vector<SizeSample>& samples) {
+  double size = 1e9;
+  for (const SizeSample& s : samples) size = std::min(size, s.size);
+  return size;
+}
+
+SizingOptions options(double size) {
+  SizingOptions o;
+  o.size = size;
+  o.min_size = 1e-3;
+  return o;
+}
+
+TEST(Sizing, CoarseCubeWithSmallSizeWishesNothing) {
+  EXPECT_TRUE(feature_sizes(analytic_box(Vec3(1, 1, 1)), options(0.2)).empty());
+}
+
+TEST(Sizing, CurvatureAsksForItsAnglePerElement) {
+  SizingOptions o = options(5.0);
+  o.edge_share = 0.0;
+  o.gap_share = 0.0;
+  o.curvature_angle = 0.5;
+  EXPECT_NEAR(smallest(feature_sizes(analytic_ball(2.0), o)), 1.0, 1e-9);
+  EXPECT_NEAR(smallest(feature_sizes(analytic_torus(3.0, 0.4), o)), 0.2, 1e-9);
+  EXPECT_NEAR(smallest(feature_sizes(analytic_cylinder(1.0, 9.0), o)), 0.5, 0.01);
+  o.curvature_angle = 0.0;
+  EXPECT_TRUE(feature_sizes(analytic_ball(2.0), o).empty());
+}
+
+TEST(Sizing, SamplesCoverTheCurvedFaceAtTheirOwnSpacing) {
+  SizingOptions o = options(1.0);
+  o.curvature_angle = 0.3;
+  const Model ball = analytic_ball(1.0, {{}, 0.1});
+  const auto samples = feature_sizes(ball, o);
+  test::Dice dice(1);
+  for (int i = 0; i < 500; ++i) {
+    const Vec3 p = dice.direction();
+    double best = 1e9;
+    for (const SizeSample& s : samples) best = std::min(best, (s.place - p).norm() / s.size);
+    EXPECT_LT(best, 1.0);
+  }
+}
+
+TEST(Sizing, ShortEdgesAskForTheirLength) {
+  SizingOptions o = options(1.0);
+  o.gap_share = 0.0;
+  const auto samples = feature_sizes(analytic_box(Vec3(3, 3, 0.25)), o);
+  ASSERT_FALSE(samples.empty());
+  for (const SizeSample& s : samples) {
+    EXPECT_NEAR(s.size, 0.25, 1e-12);
+    EXPECT_LT(std::min(std::abs(s.place.x()), std::abs(s.place.x() - 3)), 1e-12);
+  }
+}
+
+TEST(Sizing, CloseEdgesAskForTheirGap) {
+  SizingOptions o = options(1.0);
+  o.edge_share = 0.0;
+  const auto samples = feature_sizes(analytic_box(Vec3(3, 3, 0.25)), o);
+  ASSERT_FALSE(samples.empty());
+  EXPECT_NEAR(smallest(samples), 0.25, 1e-9);
+  // Everywhere along the long edges, which face each other across the thickness.
+  for (double x = 0.05; x < 3.0; x += 0.1) {
+    const bool covered = std::any_of(samples.begin(), samples.end(), [&](const SizeSample& s) {
+      return (s.place - Vec3(x, 0, 0)).norm() <= s.size;
+    });
+    EXPECT_TRUE(covered) << x;
+  }
+}
+
+TEST(Sizing, NoWishIsBelowTheSmallestSizeOrAboveTheSizeAskedFor) {
+  SizingOptions o = options(0.5);
+  o.min_size = 0.3;
+  for (const auto& s : test::all_samples())
+    for (const SizeSample& w : feature_sizes(s.model, o)) {
+      EXPECT_GE(w.size, 0.3);
+      EXPECT_LT(w.size, 0.5);
+    }
+}
+
+TEST(Sizing, DefaultSizeFollowsThicknessBetweenItsBounds) {
+  const Model cube = analytic_box(Vec3(1, 1, 1)), sheet = analytic_box(Vec3(1, 1, 1e-3));
+  const Model plate = analytic_box(Vec3(1, 1, 0.04));
+  EXPECT_NEAR(default_size(cube), cube.diagonal() / 20, 1e-12);
+  EXPECT_NEAR(default_size(sheet), sheet.diagonal() / 100, 1e-12);
+  EXPECT_NEAR(default_size(plate), 0.04 / 1.08, 1e-12);
+}
+
+}  // namespace
+}  // namespace octet
