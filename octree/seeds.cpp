@@ -28,25 +28,26 @@ void seed_model_vertices(SeedState& state) {
 
 namespace {
 
-/// Finest spacing at an octree vertex, and how near the boundary it is: 0 a corner of a boundary octant,
-/// 1 a corner of an octant that has such a corner, 2 farther.
-struct VertexSurroundings {
-  std::vector<std::uint8_t> ring;
-};
-
-VertexSurroundings surroundings(const OctreeVertices& vertices, const OctreeLabels& labels) {
-  VertexSurroundings result;
-  result.ring.assign(vertices.size(), 2);
-  for (std::size_t o = 0; o < vertices.corners.size(); ++o)
-    if (labels.type[o] == OctantType::kBoundary)
-      for (const std::uint32_t v : vertices.corners[o]) result.ring[v] = 0;
-  std::vector<std::uint32_t> next;
-  for (const auto& corners : vertices.corners)
-    if (std::any_of(corners.begin(), corners.end(), [&](std::uint32_t v) { return result.ring[v] == 0; }))
-      next.insert(next.end(), corners.begin(), corners.end());
-  for (const std::uint32_t v : next)
-    if (result.ring[v] == 2) result.ring[v] = 1;
-  return result;
+/// How near the boundary each octree vertex is: 0 on a boundary octant, hanging on it included; 1 on an
+/// octant that has such a vertex; 2 farther.
+std::vector<std::uint8_t> rings(const Octree& tree, const OctreeVertices& vertices,
+                                const OctreeLabels& labels) {
+  std::vector<std::uint8_t> ring(vertices.size(), 2);
+  const auto mark = [&](OctantId o, std::uint8_t value) {
+    for (const std::uint32_t v : octant_lattice(tree, vertices, o))
+      if (v != UINT32_MAX) ring[v] = std::min(ring[v], value);
+  };
+  for (std::size_t o = 0; o < tree.size(); ++o)
+    if (labels.type[o] == OctantType::kBoundary) mark(OctantId(o), 0);
+  std::vector<OctantId> next;
+  for (std::size_t o = 0; o < tree.size(); ++o) {
+    const auto& corners = vertices.corners[o];
+    if (labels.type[o] != OctantType::kBoundary &&
+        std::any_of(corners.begin(), corners.end(), [&](std::uint32_t v) { return ring[v] == 0; }))
+      next.emplace_back(o);
+  }
+  for (const OctantId o : next) mark(o, 1);
+  return ring;
 }
 
 bool is_root_corner(const Lattice& at) {
@@ -59,18 +60,18 @@ bool is_root_corner(const Lattice& at) {
 void seed_octree_vertices(SeedState& state, const OctreeVertices& vertices, const OctreeLabels& labels) {
   Seeds& seeds = state.seeds;
   seeds.octree_vertex_kept.assign(vertices.size(), 0);
-  const VertexSurroundings around = surroundings(vertices, labels);
+  const std::vector<std::uint8_t> ring = rings(state.tree, vertices, labels);
   // Octree vertices are on a lattice of their own spacing: only points placed before them can be too close.
   const std::size_t surface_points = seeds.points.size();
   std::vector<std::uint32_t> kept;
   for (std::uint32_t v = 0; v < vertices.size(); ++v) {
     const int region = labels.vertex_region[v];
-    if (region == 0 && around.ring[v] == 2 && !is_root_corner(vertices.at[v])) continue;
+    if (region == 0 && ring[v] == 2 && !is_root_corner(vertices.at[v])) continue;
     const Vec3 p = state.tree.position(vertices.at[v]);
     const double clear = kOctreeSpacing * state.tree.length(vertices.finest_level[v]);
-    if (around.ring[v] < 2) {
+    if (ring[v] < 2) {
       if (state.points_grid.any_within(p, clear, [](std::uint32_t, double) { return true; })) continue;
-      if (around.ring[v] == 0 && state.model.closest(p, clear)) continue;
+      if (ring[v] == 0 && state.model.closest(p, clear)) continue;
     }
     kept.push_back(v);
   }
