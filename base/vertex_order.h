@@ -32,12 +32,6 @@ inline constexpr int kRankClassShift = 57;
          (std::uint64_t{j} << kBits) | k;
 }
 
-/// The same; the level of the octants around the vertex has no say.
-[[nodiscard]] constexpr std::uint64_t octree_vertex_rank(int /*finest_level*/, std::uint32_t i,
-                                                         std::uint32_t j, std::uint32_t k) {
-  return octree_vertex_rank(i, j, k);
-}
-
 /// Rank of the n-th point that is not an octree vertex.
 [[nodiscard]] constexpr std::uint64_t free_point_rank(std::uint64_t n) { return n; }
 

@@ -8,6 +8,8 @@
 namespace octet {
 namespace {
 
+constexpr std::uint32_t kLastEpoch = 0x7ffffffe;  // marks are twice the epoch, plus one
+
 bool in_sphere(const Complex& complex, TetId t, const Vec3& point, std::uint64_t rank) {
   const auto& v = complex.mesh.tets[t];
   const Vec3 &a = complex.point(v[0]), &b = complex.point(v[1]), &c = complex.point(v[2]),
@@ -76,7 +78,10 @@ bool in_conflict(const Complex& complex, TetId t, const Vec3& point, std::uint64
 
 void mark_cavity(Complex& complex, TetId seed, const Vec3& point, std::uint64_t rank,
                  std::vector<TetId>& cavity) {
-  ++complex.epoch;
+  if (++complex.epoch > kLastEpoch) {
+    complex.mark.assign(complex.mark.size(), 0);
+    complex.epoch = 1;
+  }
   const std::uint32_t tested = 2 * complex.epoch, conflicting = tested + 1;
   search_conflicts(
       complex, seed, point, rank, cavity,

@@ -10,7 +10,7 @@ namespace octet {
 namespace {
 
 // The volume must exceed what moving each coordinate by an ulp changes, by this factor; the centre then has
-// about four digits. Measured: four points on an oblique plane reach 20 ulps.
+// at least two digits, mostly four. Measured: points rounded onto oblique planes reach 2 ulps.
 constexpr double kNoiseMargin = 1e4;
 
 }  // namespace
