@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -69,6 +70,8 @@ class FacetBvh {
     Vec3 normal;  ///< unit, zero for a degenerate triangle
     double grow = 0.0;
     std::uint32_t triangle = 0;
+    /// Distance from the triangle's plane: a lower bound, reckoned a little small against rounding.
+    [[nodiscard]] double height(const Vec3& p) const { return std::abs(normal.dot(p - a)) * (1.0 - 1e-12); }
   };
   struct Stack {
     std::array<std::int32_t, 128> node;
@@ -126,6 +129,7 @@ void FacetBvh::visit_within(const Vec3& p, double radius, int face, const Visit&
       continue;
     }
     for (std::int32_t i = node.first; i < node.first - node.second; ++i) {
+      if (items_[i].height(p) > radius + items_[i].grow) continue;
       const FacetFoot near = foot(items_[i], p);
       if (near.distance <= radius + items_[i].grow) visit(near);
     }
@@ -161,7 +165,8 @@ std::optional<FacetFoot> FacetBvh::nearest_if(const Vec3& p, double max_distance
       continue;
     }
     for (std::int32_t i = node.first; i < node.first - node.second; ++i) {
-      if (!accept(items_[i].triangle)) continue;
+      const double height = items_[i].height(p);
+      if (height * height > best2 || !accept(items_[i].triangle)) continue;
       const FacetFoot near = foot(items_[i], p);
       const bool better = near.distance < best.distance ||
                           (near.distance == best.distance && (!found || near.triangle < best.triangle));

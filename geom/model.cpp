@@ -81,7 +81,10 @@ Model::Model(ModelParts parts) {
   }
   for (std::size_t v = 1; v < p.vertices.size(); ++v) data->box.add(p.vertices[v].point);
   data->diagonal = data->box.diagonal();
+  Data* const filled = data.get();
   data_ = std::move(data);
+  // The grid asks the finished model; until it is there every answer is the exact one.
+  filled->grid = RegionGrid(filled->bvh, filled->box, [this](const Vec3& x) { return region_at(x); });
 }
 
 Model::~Model() = default;

@@ -7,6 +7,7 @@
 #include "geom/curve_samples.h"
 #include "geom/facet_bvh.h"
 #include "geom/model.h"
+#include "geom/region_grid.h"
 
 namespace octet {
 
@@ -16,6 +17,7 @@ struct Model::Data {
   std::vector<CurveSamples> samples;  ///< per edge
   BorderSides border;
   FacetBvh bvh;
+  RegionGrid grid;
   Box3 box;
   double diagonal = 0.0, tolerance = 0.0;
 

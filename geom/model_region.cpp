@@ -123,6 +123,7 @@ int region_by_foot(const Model& model, const Model::Data& data, const Vec3& p) {
 
 int Model::region_at(const Vec3& p) const {
   if (!data_->box.contains(p)) return 0;
+  if (const int known = data_->grid.at(p); known != RegionGrid::kUnknown) return known;
   const auto nearest = data_->bvh.nearest(p, kInfinity);
   if (!nearest) return 0;
   const double band = 3.0 * data_->bvh.grow(nearest->triangle) + 8.0 * data_->tolerance;
