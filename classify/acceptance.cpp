@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The list of claims, in the order in which a reader wants to know.
+#include "classify/acceptance.h"
+
+#include <algorithm>
+
+#include "classify/claims.h"
+
+namespace octet {
+
+bool Acceptance::holds() const {
+  return !claims.empty() && std::all_of(claims.begin(), claims.end(), [](const Claim& c) { return c.holds; });
+}
+
+Acceptance accept_mesh(const Mesh& mesh, const Model& model, const AcceptanceOptions& options) {
+  Acceptance result;
+  result.claims.push_back(claim_numbers(mesh, model));
+  if (!result.claims[0].holds) return result;  // nothing else can be asked
+  const ClaimInput in(mesh, model);
+  for (const auto claim :
+       {claim_positive_volume, claim_conforming, claim_boundary_classified, claim_interfaces_classified,
+        claim_regions_connected, claim_orphan_nodes, claim_duplicate_nodes, claim_closure,
+        claim_upward_counts, claim_model_vertices, claim_edge_chains, claim_face_euler, claim_face_borders,
+        claim_face_orientation, claim_nodes_on_entity, claim_edge_length, claim_face_area,
+        claim_region_volume, claim_volumes_add_up})
+    result.claims.push_back(claim(in));
+  if (options.overlap) result.claims.push_back(claim_no_overlap(in));
+  if (options.sample_surface) result.claims.push_back(claim_surface_distance(in));
+  return result;
+}
+
+}  // namespace octet

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The costly questions to the model (feet of nodes and centroids) are asked once, here.
+#include "classify/claims.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace octet {
+namespace {
+
+constexpr std::size_t kFaultsKept = 10;
+// A node that is off its entity by less than this share of the diagonal harms nobody.
+constexpr double kNodeShare = 1e-7;
+
+NodeFoot foot_of_node(const ClaimInput& in, Mesh::Index v) {
+  const ModelRef ref = in.mesh.point_on[v];
+  const Vec3& p = in.point(v);
+  NodeFoot foot;
+  if (ref.dim == 0) foot.distance = (in.model.vertex(ref.tag).point - p).norm();
+  if (ref.dim == 1 && in.model.edge(ref.tag).use != EdgeUse::kDegenerate) {
+    const EdgeFoot near = in.model.edge_closest(ref.tag, p);
+    foot.t = near.t;
+    foot.distance = near.distance;
+  }
+  if (ref.dim == 2) {
+    const FaceFoot near = in.model.face_project(ref.tag, p);
+    foot.uv = near.uv;
+    foot.distance = (near.point - p).norm();
+    foot.curvature = in.model.face_curvature(ref.tag, near.uv);
+    foot.normal = near.normal;
+    // Outside the trim in (u, v) may still be on the face within tolerance: ask for the distance itself.
+    if (!near.converged || in.model.face_side(ref.tag, near.uv) == TrimSide::kOut)
+      foot.distance = in.model.face_closest(ref.tag, p).distance;
+  }
+  return foot;
+}
+
+/// 0 when one of them is none (a pole, an apex).
+double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
+
+TriangleFoot foot_of_triangle(const ClaimInput& in, std::uint32_t t) {
+  const std::int32_t face = in.mesh.triangle_on[t];
+  const auto& triangle = in.mesh.triangles[t];
+  const Vec3 centre = in.centroid(triangle);
+  TriangleFoot result;
+  const NodeFoot* seed = nullptr;
+  for (const Mesh::Index v : triangle)
+    if (in.mesh.point_on[v] == model_face(face)) {
+      result.curvature = std::max(result.curvature, in.node_foot[v].curvature);
+      if (seed == nullptr) seed = &in.node_foot[v];
+    }
+  FaceFoot foot;
+  if (seed != nullptr) foot = in.model.face_project(face, centre, seed->uv);
+  if (!foot.converged) foot = in.model.face_project(face, centre);
+  result.normal = foot.normal;
+  result.distance = (foot.point - centre).norm();
+  const Vec3 own = in.cross(triangle);
+  result.turn = angle_between(own, foot.normal);
+  for (const Mesh::Index v : triangle)
+    if (in.mesh.point_on[v] == model_face(face))
+      result.turn = std::max(result.turn, angle_between(own, in.node_foot[v].normal));
+  result.curvature = std::max(result.curvature, in.model.face_curvature(face, foot.uv));
+  return result;
+}
+
+std::vector<TriangleSide> sorted_sides(const Mesh& mesh) {
+  std::vector<TriangleSide> sides;
+  sides.reserve(3 * mesh.triangles.size());
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+    for (int k = 0; k < 3; ++k) {
+      const Mesh::Index a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
+      sides.push_back({{std::min(a, b), std::max(a, b)}, mesh.triangle_on[t], a < b, t});
+    }
+  std::sort(sides.begin(), sides.end(), [](const TriangleSide& a, const TriangleSide& b) {
+    return std::tie(a.v, a.face, a.triangle) < std::tie(b.v, b.face, b.triangle);
+  });
+  return sides;
+}
+
+std::vector<EdgePieceRef> sorted_pieces(const Mesh& mesh) {
+  std::vector<EdgePieceRef> pieces;
+  pieces.reserve(mesh.edges.size());
+  for (std::uint32_t e = 0; e < mesh.edges.size(); ++e) {
+    const auto [a, b] = mesh.edges[e];
+    pieces.push_back({{std::min(a, b), std::max(a, b)}, a < b, e});
+  }
+  std::sort(pieces.begin(), pieces.end(), [](const EdgePieceRef& a, const EdgePieceRef& b) {
+    return std::tie(a.v, a.edge) < std::tie(b.v, b.edge);
+  });
+  return pieces;
+}
+
+std::vector<std::vector<std::uint32_t>> by_tag(const std::vector<std::int32_t>& on, int tags) {
+  std::vector<std::vector<std::uint32_t>> lists(static_cast<std::size_t>(tags) + 1);
+  for (std::uint32_t i = 0; i < on.size(); ++i) lists[on[i]].push_back(i);
+  return lists;
+}
+
+}  // namespace
+
+ClaimInput::ClaimInput(const Mesh& m, const Model& part)
+    : mesh(m),
+      model(part),
+      uses(m),
+      pieces_on(by_tag(m.edge_on, part.count(1))),
+      triangles_on(by_tag(m.triangle_on, part.count(2))),
+      sides(sorted_sides(m)),
+      pieces(sorted_pieces(m)),
+      node_tolerance(kNodeShare * part.diagonal()) {
+  node_foot.reserve(m.points.size());
+  for (Mesh::Index v = 0; v < m.points.size(); ++v) node_foot.push_back(foot_of_node(*this, v));
+  triangle_foot.reserve(m.triangles.size());
+  for (std::uint32_t t = 0; t < m.triangles.size(); ++t) triangle_foot.push_back(foot_of_triangle(*this, t));
+}
+
+double ClaimInput::longest_side(const std::array<Mesh::Index, 3>& t) const {
+  return std::sqrt(
+      std::max({(point(t[0]) - point(t[1])).squaredNorm(), (point(t[1]) - point(t[2])).squaredNorm(),
+                (point(t[2]) - point(t[0])).squaredNorm()}));
+}
+
+double ClaimInput::allowed_distance(ModelRef entity) const {
+  double own = 0.0;
+  if (entity.dim == 0) own = model.vertex(entity.tag).tolerance;
+  if (entity.dim == 1) own = model.edge(entity.tag).tolerance;
+  if (entity.dim == 2) own = model.face(entity.tag).tolerance;
+  return std::max(own, node_tolerance);
+}
+
+ClaimBuilder::ClaimBuilder(std::string name, std::string statement) {
+  claim_.name = std::move(name);
+  claim_.statement = std::move(statement);
+}
+
+void ClaimBuilder::fault(double severity, ModelRef entity, const Vec3& place, std::string cause,
+                         std::string advice) {
+  ++count_;
+  const auto at = std::upper_bound(kept_.begin(), kept_.end(), severity,
+                                   [](double s, const auto& kept) { return s > kept.first; });
+  if (at == kept_.end() && kept_.size() == kFaultsKept) return;
+  kept_.insert(at, {severity, {entity, place, std::move(cause), std::move(advice)}});
+  if (kept_.size() > kFaultsKept) kept_.pop_back();
+}
+
+Claim ClaimBuilder::counted() { return measured(static_cast<double>(count_), 0.0); }
+
+Claim ClaimBuilder::measured(double worst, double limit) {
+  claim_.holds = count_ == 0;
+  claim_.worst = worst;
+  claim_.limit = limit;
+  for (auto& [severity, fault] : kept_) claim_.faults.push_back(std::move(fault));
+  return std::move(claim_);
+}
+
+}  // namespace octet

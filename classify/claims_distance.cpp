@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The claim that the CAD surface is nowhere far from the mesh, tested at places spread over the surface.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "classify/claims.h"
+#include "geom/facet_bvh.h"
+
+namespace octet {
+namespace {
+
+constexpr double kShare = 0.5;  // of the local mesh edge
+// Facets much finer than the mesh tell nothing new: then only every so many are asked.
+constexpr double kSamplesPerTriangle = 4.0;
+constexpr int kMostSteps = 64;
+
+/// A sampling of one face: how many facets are passed over, and how finely the others are divided.
+struct Density {
+  std::size_t stride = 1;
+  double step = 0.0;  ///< wanted distance of samples
+};
+
+double mean_side(const ClaimInput& in, const std::vector<std::uint32_t>& triangles) {
+  double sum = 0.0;
+  for (const std::uint32_t t : triangles) sum += in.longest_side(in.mesh.triangles[t]);
+  return triangles.empty() ? 0.0 : sum / static_cast<double>(triangles.size());
+}
+
+class SurfaceSampler {
+ public:
+  SurfaceSampler(const ClaimInput& in, ClaimBuilder& claim) : in_(in), claim_(claim) {
+    Facets surface;
+    surface.nodes = in.mesh.points;
+    for (const auto& t : in.mesh.triangles) surface.triangles.push_back({t[0], t[1], t[2]});
+    surface.face = in.mesh.triangle_on;
+    bvh_ = FacetBvh(surface, std::vector<double>(surface.triangles.size(), 0.0), in.model.count(2));
+  }
+
+  double run() {
+    const Facets& facets = in_.model.facets();
+    std::vector<std::vector<std::uint32_t>> on(in_.triangles_on.size());
+    for (std::uint32_t f = 0; f < facets.triangles.size(); ++f) on[facets.face[f]].push_back(f);
+    for (std::size_t face = 1; face < on.size(); ++face) {
+      const auto& triangles = in_.triangles_on[face];
+      if (triangles.empty()) continue;  // the claim face-euler tells
+      const double asked = std::max(64.0, kSamplesPerTriangle * static_cast<double>(triangles.size()));
+      const Density density{1 + static_cast<std::size_t>(static_cast<double>(on[face].size()) / asked),
+                            0.7 * mean_side(in_, triangles)};
+      for (std::size_t i = 0; i < on[face].size(); i += density.stride)
+        sample_facet(static_cast<int>(face), on[face][i], density);
+    }
+    return worst_;
+  }
+
+ private:
+  /// Samples at the centroids of the facet's n x n division, on the exact surface.
+  void sample_facet(int face, std::uint32_t f, const Density& density) {
+    const Facets& facets = in_.model.facets();
+    const auto& v = facets.triangles[f];
+    const double longest = std::max({(facets.nodes[v[0]] - facets.nodes[v[1]]).norm(),
+                                     (facets.nodes[v[1]] - facets.nodes[v[2]]).norm(),
+                                     (facets.nodes[v[2]] - facets.nodes[v[0]]).norm()});
+    const int n = std::clamp(static_cast<int>(std::ceil(longest / density.step)), 1, kMostSteps);
+    const auto& uv = facets.uv[f];
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; i + j < n; ++j) {
+        const double s = (i + 1.0 / 3.0) / n, t = (j + 1.0 / 3.0) / n;
+        const Vec2 at = (1.0 - s - t) * uv[0] + s * uv[1] + t * uv[2];
+        check(face, in_.model.face_jet(face, at, 0).p);
+      }
+  }
+
+  void check(int face, const Vec3& p) {
+    const auto near = bvh_.nearest(p, std::numeric_limits<double>::infinity(), face);
+    if (!near) return;
+    const double share = near->distance / in_.longest_side(in_.mesh.triangles[near->triangle]);
+    worst_ = std::max(worst_, share);
+    if (share > kShare)
+      claim_.fault(share, model_face(face), p,
+                   fmt::format("the mesh is {:.3g} away from the face, {:.2g} of its edges there",
+                               near->distance, share),
+                   kFiner);
+  }
+
+  const ClaimInput& in_;
+  ClaimBuilder& claim_;
+  FacetBvh bvh_;
+  double worst_ = 0.0;
+};
+
+}  // namespace
+
+Claim claim_surface_distance(const ClaimInput& in) {
+  ClaimBuilder claim(
+      "surface-distance",
+      "No place of a CAD face is farther from its triangles than half their edges; worst: share.");
+  const double worst = SurfaceSampler(in, claim).run();
+  return claim.measured(worst, kShare);
+}
+
+}  // namespace octet

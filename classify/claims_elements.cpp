@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Claims about elements and nodes: numbers, volumes, conformity, classified boundary, orphans, duplicates.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "base/predicates.h"
+#include "classify/claims.h"
+
+namespace octet {
+namespace {
+
+double tet_volume(const Mesh& mesh, std::uint32_t tet) {
+  const auto& t = mesh.tets[tet];
+  const Vec3& a = mesh.points[t[0]];
+  return (mesh.points[t[1]] - a).cross(mesh.points[t[2]] - a).dot(mesh.points[t[3]] - a) / 6.0;
+}
+
+template <std::size_t N>
+void check_numbers(ClaimBuilder& claim, const Mesh& mesh, const char* kind, int dim, int tags,
+                   const std::vector<std::array<Mesh::Index, N>>& elements,
+                   const std::vector<std::int32_t>& on) {
+  if (elements.size() != on.size()) {
+    claim.fault(1.0, {dim, 0}, Vec3::Zero(), fmt::format("the {} arrays differ in size", kind), kBadMesh);
+    return;
+  }
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const auto& v = elements[i];
+    const bool in_range = std::all_of(v.begin(), v.end(), [&](auto k) { return k < mesh.points.size(); });
+    auto sorted = v;
+    std::sort(sorted.begin(), sorted.end());
+    const bool distinct = std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
+    if (in_range && distinct && on[i] >= 1 && on[i] <= tags) continue;
+    claim.fault(1.0, {dim, on[i]}, in_range ? mesh.points[v[0]] : Vec3::Zero(),
+                fmt::format("{} {} on entity {} has vertices {}", kind, i, on[i], fmt::join(v, " ")),
+                kBadMesh);
+  }
+}
+
+/// Smallest index reachable, with path halving.
+std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t i) {
+  while (parent[i] != i) i = parent[i] = parent[parent[i]];
+  return i;
+}
+
+/// Whether all faces of the group are a triangle of the mesh; `triangles` sorted by key.
+using FaceKey = std::array<Mesh::Index, 3>;
+std::vector<FaceKey> sorted_triangles(const Mesh& mesh) {
+  std::vector<FaceKey> keys;
+  keys.reserve(mesh.triangles.size());
+  for (const auto& t : mesh.triangles) keys.push_back(sorted_face(t).v);
+  std::sort(keys.begin(), keys.end());
+  return keys;
+}
+
+/// Faces of tetrahedra that should be triangles and are none.
+template <class Asked>
+void report_unclassified(const ClaimInput& in, ClaimBuilder& claim, const char* cause, const Asked& asked) {
+  const auto triangles = sorted_triangles(in.mesh);
+  for (std::size_t i = 0; i < in.uses.all().size();) {
+    const auto group = in.uses.group(i);
+    i += group.size();
+    if (!asked(group) || std::binary_search(triangles.begin(), triangles.end(), group[0].v)) continue;
+    claim.fault(in.cross(group[0].v).norm(), model_region(in.mesh.tet_in[group[0].tet]),
+                in.centroid(group[0].v), cause, kFiner);
+  }
+}
+
+}  // namespace
+
+Claim claim_numbers(const Mesh& mesh, const Model& model) {
+  ClaimBuilder claim("numbers", "All indices and entity tags are in range, no element repeats a vertex.");
+  if (mesh.points.size() != mesh.point_on.size())
+    claim.fault(1.0, {}, Vec3::Zero(), "the vertex arrays differ in size", kBadMesh);
+  for (std::size_t v = 0; v < std::min(mesh.points.size(), mesh.point_on.size()); ++v) {
+    const ModelRef ref = mesh.point_on[v];
+    if (mesh.points[v].allFinite() && ref.valid() && ref.dim <= 3 && ref.tag <= model.count(ref.dim))
+      continue;
+    claim.fault(1.0, ref, mesh.points[v], fmt::format("vertex {} lies on no entity of the part", v),
+                kBadMesh);
+  }
+  check_numbers(claim, mesh, "edge", 1, model.count(1), mesh.edges, mesh.edge_on);
+  check_numbers(claim, mesh, "triangle", 2, model.count(2), mesh.triangles, mesh.triangle_on);
+  check_numbers(claim, mesh, "tetrahedron", 3, model.count(3), mesh.tets, mesh.tet_in);
+  return claim.counted();
+}
+
+Claim claim_positive_volume(const ClaimInput& in) {
+  ClaimBuilder claim("positive-volume",
+                     "Every tetrahedron has positive volume (exact sign); worst: smallest.");
+  double smallest = in.mesh.tets.empty() ? 0.0 : std::numeric_limits<double>::max();
+  for (std::uint32_t i = 0; i < in.mesh.tets.size(); ++i) {
+    const auto& t = in.mesh.tets[i];
+    const double volume = tet_volume(in.mesh, i);
+    smallest = std::min(smallest, volume);
+    const int sign = orient3d(in.point(t[0]), in.point(t[1]), in.point(t[2]), in.point(t[3]));
+    if (sign > 0) continue;
+    claim.fault(-volume, model_region(in.mesh.tet_in[i]), in.centroid(t),
+                fmt::format("tetrahedron {} has {} volume", i, sign == 0 ? "zero" : "negative"), kFiner);
+  }
+  return claim.measured(smallest, 0.0);
+}
+
+Claim claim_conforming(const ClaimInput& in) {
+  ClaimBuilder claim("conforming", "No face has more than two tetrahedra, or both on one side.");
+  for (std::size_t i = 0; i < in.uses.all().size();) {
+    const auto group = in.uses.group(i);
+    i += group.size();
+    const bool one_side = group.size() == 2 && group[0].even == group[1].even;
+    if (group.size() <= 2 && !one_side) continue;
+    claim.fault(static_cast<double>(group.size()), model_region(in.mesh.tet_in[group[0].tet]),
+                in.centroid(group[0].v),
+                one_side ? "two tetrahedra lie on one side of a face"
+                         : fmt::format("a face has {} tetrahedra", group.size()),
+                kBadMesh);
+  }
+  return claim.counted();
+}
+
+Claim claim_boundary_classified(const ClaimInput& in) {
+  ClaimBuilder claim("boundary-classified",
+                     "Every face with one tetrahedron lies on a model face; no triangle is given twice.");
+  report_unclassified(in, claim, "a face with one tetrahedron lies on no model face",
+                      [](const auto& group) { return group.size() == 1; });
+  const auto triangles = sorted_triangles(in.mesh);
+  for (std::size_t i = 1; i < triangles.size(); ++i)
+    if (triangles[i] == triangles[i - 1])
+      claim.fault(1.0, {2, 0}, in.centroid(triangles[i]), "a triangle is given twice", kBadMesh);
+  return claim.counted();
+}
+
+Claim claim_interfaces_classified(const ClaimInput& in) {
+  ClaimBuilder claim("interfaces-classified", "Every face between two regions lies on a model face.");
+  report_unclassified(in, claim, "a face between two regions lies on no model face", [&](const auto& group) {
+    return group.size() == 2 && in.mesh.tet_in[group[0].tet] != in.mesh.tet_in[group[1].tet];
+  });
+  return claim.counted();
+}
+
+Claim claim_regions_connected(const ClaimInput& in) {
+  ClaimBuilder claim("regions-connected", "Every region's tetrahedra hang together by faces.");
+  std::vector<std::uint32_t> parent(in.mesh.tets.size());
+  std::iota(parent.begin(), parent.end(), 0u);
+  for (std::size_t i = 0; i < in.uses.all().size();) {
+    const auto group = in.uses.group(i);
+    i += group.size();
+    if (group.size() < 2 || in.mesh.tet_in[group[0].tet] != in.mesh.tet_in[group[1].tet]) continue;
+    const auto a = root_of(parent, group[0].tet), b = root_of(parent, group[1].tet);
+    parent[std::max(a, b)] = std::min(a, b);
+  }
+  std::vector<int> seen(static_cast<std::size_t>(in.model.count(3)) + 1, 0);
+  for (std::uint32_t i = 0; i < parent.size(); ++i) {
+    const std::int32_t region = in.mesh.tet_in[i];
+    if (parent[i] != i || ++seen[region] == 1) continue;
+    claim.fault(1.0, model_region(region), in.centroid(in.mesh.tets[i]),
+                fmt::format("piece {} of the region touches the others by no face", seen[region]), kFiner);
+  }
+  for (int region = 1; region <= in.model.count(3); ++region)
+    if (seen[region] == 0)
+      claim.fault(2.0, model_region(region), in.model.box().centre(), "the region has no tetrahedron",
+                  kFiner);
+  return claim.counted();
+}
+
+Claim claim_orphan_nodes(const ClaimInput& in) {
+  ClaimBuilder claim("orphan-nodes",
+                     "Every vertex is used by an element, those on a model entity by one on that entity.");
+  // The least dimension of an element at the vertex that lies on the vertex's own entity, or none.
+  std::vector<char> used(in.mesh.points.size(), 0), on_own(in.mesh.points.size(), 0);
+  const auto mark = [&](int dim, const auto& elements, const auto& on) {
+    for (std::size_t i = 0; i < elements.size(); ++i)
+      for (const Mesh::Index v : elements[i]) {
+        used[v] = 1;
+        if (in.mesh.point_on[v] == ModelRef{dim, on[i]}) on_own[v] = 1;
+      }
+  };
+  mark(1, in.mesh.edges, in.mesh.edge_on);
+  mark(2, in.mesh.triangles, in.mesh.triangle_on);
+  mark(3, in.mesh.tets, in.mesh.tet_in);
+  for (Mesh::Index v = 0; v < used.size(); ++v) {
+    const ModelRef ref = in.mesh.point_on[v];
+    // What lies on a seam or on a vertex needs no element of that entity.
+    const bool own_asked = ref.dim >= 2 || (ref.dim == 1 && in.model.edge(ref.tag).use == EdgeUse::kReal);
+    if (used[v] == 0) {
+      claim.fault(2.0, ref, in.point(v), fmt::format("vertex {} belongs to no element", v), kBadMesh);
+    } else if (own_asked && on_own[v] == 0) {
+      claim.fault(1.0, ref, in.point(v), fmt::format("vertex {} belongs to no element of its entity", v),
+                  kFiner);
+    }
+  }
+  return claim.counted();
+}
+
+// Sorted along a direction in which no lattice of points has many at one place, so that only a few vertices
+// come within the tolerance of each other.
+Claim claim_duplicate_nodes(const ClaimInput& in) {
+  ClaimBuilder claim("duplicate-nodes", "No two vertices are at one place.");
+  const Vec3 direction(0.5773502691896258, 0.6180339887498949, 0.5348);
+  const double tolerance = in.model.tolerance();
+  std::vector<std::pair<double, Mesh::Index>> along;
+  along.reserve(in.mesh.points.size());
+  for (Mesh::Index v = 0; v < in.mesh.points.size(); ++v) along.emplace_back(direction.dot(in.point(v)), v);
+  std::sort(along.begin(), along.end());
+  for (std::size_t i = 0; i < along.size(); ++i)
+    for (std::size_t j = i + 1; j < along.size() && along[j].first <= along[i].first + tolerance; ++j) {
+      const Mesh::Index a = along[i].second, b = along[j].second;
+      if ((in.point(a) - in.point(b)).norm() > tolerance) continue;
+      claim.fault(1.0, in.mesh.point_on[a], in.point(a),
+                  fmt::format("vertices {} and {} are at one place", std::min(a, b), std::max(a, b)),
+                  kBadMesh);
+    }
+  return claim.counted();
+}
+
+}  // namespace octet

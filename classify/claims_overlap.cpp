@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Claims that nothing overlaps. Positive tetrahedra that fill what their boundary encloses, behind a boundary
+// that does not meet itself, cannot overlap; so the boundary is all that must be searched.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "classify/claims.h"
+#include "classify/triangle_crossing.h"
+#include "geom/facet_bvh.h"
+
+namespace octet {
+namespace {
+
+/// Whether a side meets a triangle anywhere but in the vertices that they share.
+bool side_meets(const ClaimInput& in, const std::array<Mesh::Index, 2>& side,
+                const std::array<Mesh::Index, 3>& triangle) {
+  int shared = 0, corner = 0;
+  Mesh::Index other = side[1];
+  for (int k = 0; k < 3; ++k)
+    for (int s = 0; s < 2; ++s)
+      if (triangle[k] == side[s]) {
+        ++shared;
+        corner = k;
+        other = side[1 - s];
+      }
+  if (shared == 2) return false;
+  const auto corner_at = [&](int k) -> const Vec3& { return in.point(triangle[(corner + k) % 3]); };
+  if (shared == 1) return segment_enters_triangle(corner_at(0), in.point(other), corner_at(1), corner_at(2));
+  return segment_meets_triangle(in.point(side[0]), in.point(side[1]), corner_at(0), corner_at(1),
+                                corner_at(2));
+}
+
+Facets surface_of(const Mesh& mesh) {
+  Facets facets;
+  facets.nodes = mesh.points;
+  facets.triangles.reserve(mesh.triangles.size());
+  for (const auto& t : mesh.triangles) facets.triangles.push_back({t[0], t[1], t[2]});
+  facets.face = mesh.triangle_on;
+  return facets;
+}
+
+}  // namespace
+
+Claim claim_volumes_add_up(const ClaimInput& in) {
+  ClaimBuilder claim("volumes-add-up",
+                     "The tetrahedra of every region fill what its triangles enclose; worst: relative.");
+  const std::size_t n = static_cast<std::size_t>(in.model.count(3)) + 1;
+  std::vector<double> filled(n, 0.0), enclosed(n, 0.0);
+  const Vec3 origin = in.model.box().centre();
+  for (std::size_t i = 0; i < in.mesh.tets.size(); ++i) {
+    const auto& t = in.mesh.tets[i];
+    const Vec3& a = in.point(t[0]);
+    filled[in.mesh.tet_in[i]] += (in.point(t[1]) - a).cross(in.point(t[2]) - a).dot(in.point(t[3]) - a) / 6.0;
+  }
+  for (std::size_t i = 0; i < in.mesh.triangles.size(); ++i) {
+    const auto& t = in.mesh.triangles[i];
+    const ModelFace& face = in.model.face(in.mesh.triangle_on[i]);
+    const double cone = (in.point(t[0]) - origin).dot(in.cross(t)) / 6.0;
+    enclosed[face.region[0]] += cone;
+    enclosed[face.region[1]] -= cone;
+  }
+  const double limit = 1e-9;
+  double worst = 0.0;
+  for (int tag = 1; tag <= in.model.count(3); ++tag) {
+    const double scale = std::max(std::abs(filled[tag]), std::abs(enclosed[tag]));
+    // Rounding is that of sums over the whole box, whatever the region's own volume.
+    const double box = std::pow(in.model.diagonal(), 3) * 1e-3;
+    const double share = scale == 0.0 ? 0.0 : std::abs(filled[tag] - enclosed[tag]) / std::max(scale, box);
+    worst = std::max(worst, share);
+    if (share > limit)
+      claim.fault(share, model_region(tag), origin,
+                  fmt::format("the tetrahedra fill {:.12g}, the triangles enclose {:.12g}", filled[tag],
+                              enclosed[tag]),
+                  kBadMesh);
+  }
+  return claim.measured(worst, limit);
+}
+
+Claim claim_no_overlap(const ClaimInput& in) {
+  ClaimBuilder claim("no-overlap",
+                     "The triangles meet only in the vertices and edges they share (exact signs).");
+  const Facets surface = surface_of(in.mesh);
+  const std::vector<double> grow(surface.triangles.size(), in.model.tolerance());
+  const FacetBvh bvh(surface, grow, in.model.count(2));
+  std::vector<std::uint32_t> met;
+  for (std::size_t i = 0; i < in.sides.size(); ++i) {
+    const auto& side = in.sides[i].v;
+    if (i > 0 && in.sides[i - 1].v == side) continue;
+    met.clear();
+    bvh.visit_segment(in.point(side[0]), in.point(side[1]), [&](std::uint32_t triangle) {
+      if (side_meets(in, side, in.mesh.triangles[triangle])) met.push_back(triangle);
+    });
+    std::sort(met.begin(), met.end());
+    for (const std::uint32_t triangle : met)
+      claim.fault(1.0, model_face(in.mesh.triangle_on[triangle]), in.centroid(in.mesh.triangles[triangle]),
+                  fmt::format("triangle {} is pierced by a side of a triangle on {}", triangle,
+                              in.model.describe(model_face(in.sides[i].face))),
+                  kFiner);
+  }
+  return claim.counted();
+}
+
+}  // namespace octet
