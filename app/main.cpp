@@ -23,7 +23,7 @@ constexpr const char* kFooter =
     "  0  complete: the mesh was written (mesh) or read (check) and every claim about it holds\n"
     "  2  bad input or use: the part, an option, a limit or the output path; no file was written\n"
     "  3  incomplete: the mesh was written or read, and the faults listed remain\n"
-    "  4  failed: no mesh; cancelled, out of memory, or a defect of octet";
+    "  4  failed: no mesh; cancelled, out of memory, or a defect of octet\n";
 
 constexpr const char* kUnitHelp = "mm (default), um, cm, m, inch, ft, ...";
 
@@ -58,16 +58,22 @@ int guarded(const Run& run) {
 
 void add_mesh(CLI::App& app, MeshCommand& mesh) {
   CLI::App& sub = *app.add_subcommand("mesh", "Mesh a CAD part: classified tetrahedra");
-  sub.add_option("part", mesh.part, "STEP, IGES or BREP file")->required();
-  sub.add_option("-o,--output", mesh.output, "Mesh file to write (.msh or .vtu)")->required();
-  sub.add_option("--size", mesh.size, "Edge length of the elements (default: from the part's dimensions)");
-  sub.add_option("--min-size", mesh.min_size, "Refine no further than this (default: size / 32)");
-  sub.add_option("--unit", mesh.unit, kUnitHelp);
-  sub.add_option("--format", mesh.format, "msh41, msh41-ascii, msh22, msh22-ascii, vtu (default: by suffix)");
-  sub.add_option("--threads", mesh.threads, "Threads; any number gives the same bytes (default: all cores)");
-  sub.add_option("--max-elements", mesh.max_elements, "Refuse what needs more elements (default: 20000000)");
-  sub.add_option("--report", mesh.report, "Write a report as JSON");
-  sub.add_option("--dump-stages", mesh.dump_directory, "Write the mesh of every stage into this directory");
+  sub.add_option("part", mesh.part, "STEP, IGES or BREP file")->required()->type_name("FILE");
+  sub.add_option("-o,--output", mesh.output, "Mesh file to write (.msh or .vtu)")->required()->type_name("FILE");
+  sub.add_option("--size", mesh.size, "Edge length of the elements (default: from the part's dimensions)")
+      ->type_name("LENGTH");
+  sub.add_option("--min-size", mesh.min_size, "Refine no further than this (default: size / 32)")
+      ->type_name("LENGTH");
+  sub.add_option("--unit", mesh.unit, kUnitHelp)->type_name("UNIT");
+  sub.add_option("--format", mesh.format, "msh41, msh41-ascii, msh22, msh22-ascii, vtu (default: by suffix)")
+      ->type_name("FORMAT");
+  sub.add_option("--threads", mesh.threads, "Threads; any number gives the same bytes (default: all cores)")
+      ->type_name("N");
+  sub.add_option("--max-elements", mesh.max_elements, "Refuse what needs more elements (default: 20000000)")
+      ->type_name("N");
+  sub.add_option("--report", mesh.report, "Write a report as JSON")->type_name("FILE");
+  sub.add_option("--dump-stages", mesh.dump_directory, "Write the mesh of every stage into this directory")
+      ->type_name("DIR");
   sub.add_flag("!--no-finalize", mesh.finalize, "Leave the elements' shapes as classification made them");
   CLI::Option* quiet = sub.add_flag("--quiet,-q", mesh.quiet, "Print nothing but errors");
   sub.add_flag("--verbose,-v", mesh.verbose, "Tell of every stage on stderr")->excludes(quiet);
@@ -76,16 +82,16 @@ void add_mesh(CLI::App& app, MeshCommand& mesh) {
 
 void add_info(CLI::App& app, InfoCommand& info) {
   CLI::App& sub = *app.add_subcommand("info", "Tell what a part is: unit, size, entities, names, faults");
-  sub.add_option("part", info.part, "STEP, IGES or BREP file")->required();
+  sub.add_option("part", info.part, "STEP, IGES or BREP file")->required()->type_name("FILE");
   sub.add_flag("--json", info.json, "Print JSON");
   sub.footer(kFooter);
 }
 
 void add_check(CLI::App& app, CheckCommand& check) {
   CLI::App& sub = *app.add_subcommand("check", "Check a mesh against its part, claim by claim");
-  sub.add_option("mesh", check.mesh, "MSH or VTU file")->required();
-  sub.add_option("part", check.part, "STEP, IGES or BREP file")->required();
-  sub.add_option("--unit", check.unit, std::string("Unit of the mesh file: ") + kUnitHelp);
+  sub.add_option("mesh", check.mesh, "MSH or VTU file")->required()->type_name("FILE");
+  sub.add_option("part", check.part, "STEP, IGES or BREP file")->required()->type_name("FILE");
+  sub.add_option("--unit", check.unit, std::string("Unit of the mesh file: ") + kUnitHelp)->type_name("UNIT");
   sub.add_flag("--json", check.json, "Print JSON");
   sub.footer(kFooter);
 }

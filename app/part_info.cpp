@@ -46,6 +46,7 @@ void add_faces(const Model& model, PartInfo& info) {
 
 PartInfo part_info(const Model& model) {
   PartInfo info;
+  for (const Vec3& node : model.facets().nodes) info.box.add(node);
   add_edges(model, info);
   add_faces(model, info);
   for (int r = 1; r <= model.count(3); ++r) info.volume += model.region(r).volume;

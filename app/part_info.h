@@ -9,6 +9,9 @@
 namespace octet {
 
 struct PartInfo {
+  /// Of the facets' nodes, which lie on the part: short of the exact box by no more than the facets deviate
+  /// (nothing on planar parts). Model::box() is the safe one.
+  Box3 box;
   int smallest_edge = 0;  ///< tag of the shortest real edge, 0: none
   int smallest_face = 0;  ///< tag of the face of least area, 0: none
   double volume = 0.0;    ///< of all regions, mm^3

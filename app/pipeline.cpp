@@ -80,7 +80,9 @@ class Run {
     sizing.size = size_;
     sizing.min_size = options_.min_size > 0.0 ? options_.min_size : kFinestShare * size_;
     sizing.curvature_angle = options_.curvature_angle;
-    const std::vector<SizeSample> samples = feature_sizes(model_, sizing);
+    std::vector<SizeSample> samples = feature_sizes(model_, sizing);
+    // Octants come in powers of two: a wish is met to the nearest one, not to the next smaller.
+    for (SizeSample& sample : samples) sample.size *= M_SQRT2;
     OctreeRequest request;
     request.size = size_;
     tree_ = std::make_unique<Octree>(build_octree(model_, request, samples));

@@ -146,9 +146,9 @@ std::string failure_json(const RunNames& names, const std::string& message) {
 
 std::string part_info_json(const std::string& part, const Model& model, const PartInfo& info) {
   Json json{{"octet", OCTET_VERSION}, {"part", part}, {"unit", model.unit()}};
-  json["box"] = {{"lo", vec_json(model.box().lo)}, {"hi", vec_json(model.box().hi)}};
-  json["size"] = vec_json(model.box().size());
-  json["diagonal"] = model.diagonal();
+  json["box"] = {{"lo", vec_json(info.box.lo)}, {"hi", vec_json(info.box.hi)}};
+  json["size"] = vec_json(info.box.size());
+  json["diagonal"] = info.box.diagonal();
   json["default_size"] = info.default_size;
   json["volume"] = info.volume;
   json["area"] = info.area;

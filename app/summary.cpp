@@ -114,11 +114,11 @@ std::string mesh_summary(const Model& model, const MeshReport& report) {
 }
 
 std::string part_summary(const Model& model, const PartInfo& info) {
-  const Vec3 size = model.box().size();
+  const Vec3 size = info.box.size();
   std::string text = fmt::format("  unit     {} (lengths below are millimetre)\n", model.unit());
   text += fmt::format("  size     {:.6g} x {:.6g} x {:.6g}, diagonal {:.6g}\n", size.x(), size.y(), size.z(),
-                      model.diagonal());
-  text += fmt::format("  box      {} to {}\n", place_text(model.box().lo), place_text(model.box().hi));
+                      info.box.diagonal());
+  text += fmt::format("  box      {} to {}\n", place_text(info.box.lo), place_text(info.box.hi));
   text += fmt::format("  volume   {:.6g} mm^3, area {:.6g} mm^2\n", info.volume, info.area);
   text += fmt::format("  counts   {} regions, {} faces, {} edges ({} seams, {} degenerate), {} vertices\n",
                       model.count(3), model.count(2), model.count(1), info.seams, info.degenerate,
