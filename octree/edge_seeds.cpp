@@ -154,7 +154,8 @@ class EdgeSeeder {
       const Vec3 a = seeds.points.position[last], b = seeds.points.position[to];
       const auto number = static_cast<std::uint32_t>(seeds.pieces.size());
       seeds.pieces.push_back({last, to, t_last, t, tag});
-      state_.piece_grid.add(number, 0.5 * (a + b), (b - a).norm());
+      const Vec3 middle = 0.5 * (a + b);
+      state_.piece_grid.add(number, middle, std::max((b - a).norm(), size_at(middle)));
       last = to;
       t_last = t;
     };

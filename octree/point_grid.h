@@ -69,10 +69,19 @@ class PointGrid {
     return (static_cast<std::uint64_t>(level) << 59) ^ (part(c.x) << 40) ^ (part(c.y) << 20) ^ part(c.z);
   }
 
+  /// Neighbouring cells have neighbouring keys: they are spread over the buckets.
+  struct Mix {
+    std::size_t operator()(std::uint64_t x) const {
+      x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+      x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+      return x ^ (x >> 31);
+    }
+  };
+
   Vec3 origin_;
   double unit_;
   std::uint64_t used_ = 0;
-  std::unordered_map<std::uint64_t, std::vector<Entry>> cells_;
+  std::unordered_map<std::uint64_t, std::vector<Entry>, Mix> cells_;
 };
 
 }  // namespace octet

@@ -25,7 +25,7 @@ struct SeedState {
   const Octree& tree;
   Seeds seeds;
   PointGrid points_grid;  ///< all points so far
-  PointGrid piece_grid;   ///< midpoints of edge pieces
+  PointGrid piece_grid;   ///< midpoints of edge pieces, in cells of the local size or their length
   EdgeIndex edge_index;
 
   std::uint32_t add(const Vec3& p, ModelRef on, double spacing) {
