@@ -8,6 +8,7 @@
 #include <functional>
 #include <map>
 #include <utility>
+#include <vector>
 
 #include "mesh/mesh.h"
 #include "mesh/model_outline.h"
@@ -50,36 +51,39 @@ inline BoxPart plain_box(const Vec3& size) {
 
 namespace box_mesh_detail {
 
+/// Faces with one tetrahedron or between two regions become triangles; their sides between two model faces
+/// become edges. The part is asked about the centroids.
 inline void add_boundary(Mesh& mesh, const BoxPart& part) {
   constexpr int kFace[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
-  std::map<std::array<Mesh::Index, 3>, bool> triangles;
-  std::map<std::array<Mesh::Index, 2>, bool> edges;
+  std::map<std::array<Mesh::Index, 3>, std::vector<std::int32_t>> regions;
+  std::map<std::pair<Mesh::Index, Mesh::Index>, std::vector<std::int32_t>> faces;
   const auto at = [&mesh](Mesh::Index v) { return mesh.points[v]; };
-  for (const auto& t : mesh.tets)
+  for (std::size_t i = 0; i < mesh.tets.size(); ++i)
     for (const auto& f : kFace) {
-      std::array<Mesh::Index, 3> v = {t[f[0]], t[f[1]], t[f[2]]};
-      auto key = v;
-      std::sort(key.begin(), key.end());
-      if (!triangles.emplace(key, true).second) continue;
-      const Vec3 centre = (at(v[0]) + at(v[1]) + at(v[2])) / 3.0;
-      const ModelRef ref = part.on(centre);
-      if (ref.dim != 2) continue;
-      const Vec3 normal = (at(v[1]) - at(v[0])).cross(at(v[2]) - at(v[0]));
-      if (normal.dot(part.direction(ref, centre)) < 0.0) std::swap(v[1], v[2]);
-      mesh.triangles.push_back(v);
-      mesh.triangle_on.push_back(ref.tag);
+      std::array<Mesh::Index, 3> v = {mesh.tets[i][f[0]], mesh.tets[i][f[1]], mesh.tets[i][f[2]]};
+      std::sort(v.begin(), v.end());
+      regions[v].push_back(mesh.tet_in[i]);
     }
-  for (const auto& t : mesh.triangles)
-    for (int k = 0; k < 3; ++k) {
-      Mesh::Index a = std::min(t[k], t[(k + 1) % 3]), b = std::max(t[k], t[(k + 1) % 3]);
-      if (!edges.emplace(std::array<Mesh::Index, 2>{a, b}, true).second) continue;
-      const Vec3 centre = 0.5 * (at(a) + at(b));
-      const ModelRef ref = part.on(centre);
-      if (ref.dim != 1) continue;
-      if ((at(b) - at(a)).dot(part.direction(ref, centre)) < 0.0) std::swap(a, b);
-      mesh.edges.push_back({a, b});
-      mesh.edge_on.push_back(ref.tag);
-    }
+  for (auto& [key, in] : regions) {
+    if (in.size() == 2 && in[0] == in[1]) continue;
+    auto v = key;
+    const Vec3 centre = (at(v[0]) + at(v[1]) + at(v[2])) / 3.0;
+    const ModelRef ref = part.on(centre);
+    const Vec3 normal = (at(v[1]) - at(v[0])).cross(at(v[2]) - at(v[0]));
+    if (normal.dot(part.direction(ref, centre)) < 0.0) std::swap(v[1], v[2]);
+    mesh.triangles.push_back(v);
+    mesh.triangle_on.push_back(ref.tag);
+    for (int k = 0; k < 3; ++k) faces[std::minmax(v[k], v[(k + 1) % 3])].push_back(ref.tag);
+  }
+  for (auto& [key, on] : faces) {
+    if (std::all_of(on.begin(), on.end(), [&](std::int32_t tag) { return tag == on[0]; })) continue;
+    auto [a, b] = key;
+    const Vec3 centre = 0.5 * (at(a) + at(b));
+    const ModelRef ref = part.on(centre);
+    if ((at(b) - at(a)).dot(part.direction(ref, centre)) < 0.0) std::swap(a, b);
+    mesh.edges.push_back({a, b});
+    mesh.edge_on.push_back(ref.tag);
+  }
 }
 
 }  // namespace box_mesh_detail
