@@ -14,33 +14,65 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Beside a nearest point x that several faces share, the face with the largest |n.(p - x)| is the one p
-/// looks at: no other face hides it, whatever the angles [Payne & Toga 1992].
-struct Beholder {
-  double most = 0.0;
-  int region = -1;
-
+/// looks at: no other face hides it, whatever the angles [Payne & Toga 1992]. At a cusp, where two faces
+/// leave x in the same direction, they tie and contradict each other: `torn`.
+class Beholder {
+ public:
   void look(const Model::Data& data, int face, double height) {
-    if (std::abs(height) <= most) return;
-    most = std::abs(height);
-    region = data.region_beside(face, height);
+    const int region = data.region_beside(face, height);
+    const double weight = std::abs(height);
+    for (int k = 0; k < count_; ++k)
+      if (region_[k] == region) {
+        most_[k] = std::max(most_[k], weight);
+        return;
+      }
+    if (count_ == static_cast<int>(region_.size())) return;
+    region_[count_] = region;
+    most_[count_++] = weight;
   }
+  [[nodiscard]] int winner() const {
+    int best = 0;
+    for (int k = 1; k < count_; ++k)
+      if (most_[k] > most_[best]) best = k;
+    return best;
+  }
+  [[nodiscard]] int region() const { return count_ == 0 ? -1 : region_[winner()]; }
+  [[nodiscard]] double most() const { return count_ == 0 ? 0.0 : most_[winner()]; }
+  [[nodiscard]] bool mixed() const { return count_ > 1; }
+  [[nodiscard]] bool torn() const {
+    constexpr double kTie = 1.001;
+    const int best = count_ == 0 ? 0 : winner();
+    for (int k = 0; k < count_; ++k)
+      if (k != best && most_[k] * kTie >= most_[best]) return true;
+    return false;
+  }
+
+ private:
+  std::array<int, 8> region_{};
+  std::array<double, 8> most_{};
+  int count_ = 0;
 };
 
-/// The sign of the facets' nearest feature; valid farther from them than they deviate.
+/// The sign of the facets' nearest feature, farther from them than they deviate. -1: not clear, because a
+/// sheet of the other sign is about as near. At a cusp the facets of two sheets cross each other, and the
+/// nearest may be the wrong one, so every facet that could hold the true nearest point must agree.
 int region_by_facets(const Model::Data& data, const Vec3& p, const FacetFoot& nearest) {
   const Facets& facets = data.facets();
-  Beholder beholder;
-  const auto look = [&](const FacetFoot& f) {
-    beholder.look(data, facets.face[f.triangle], data.facet_normal(f.triangle).dot(p - nearest.point));
-  };
-  look(nearest);
-  constexpr double kInside = 1e-9;
-  if (nearest.weights.minCoeff() > kInside) return beholder.region;
-  const double same = 1e-12 * (nearest.distance + data.diagonal);
-  data.bvh.visit_within(p, nearest.distance + same, 0, [&](const FacetFoot& f) {
-    if ((f.point - nearest.point).norm() <= 1e-6 * nearest.distance + same) look(f);
+  const double grow = data.bvh.grow(nearest.triangle);
+  const double same = 1e-6 * nearest.distance + data.tolerance;
+  constexpr double kEdgeOn = 0.01;
+  Beholder here, all;
+  const auto height = [&](const FacetFoot& f) { return data.facet_normal(f.triangle).dot(p - f.point); };
+  here.look(data, facets.face[nearest.triangle], height(nearest));
+  data.bvh.visit_within(p, nearest.distance + 2.0 * grow + same, 0, [&](const FacetFoot& f) {
+    const double h = height(f);
+    if ((f.point - nearest.point).norm() <= same)
+      here.look(data, facets.face[f.triangle], h);
+    else if (std::abs(h) > kEdgeOn * f.distance)
+      all.look(data, facets.face[f.triangle], h);
   });
-  return beholder.region;
+  const bool agreed = !here.torn() && (all.region() < 0 || (all.region() == here.region() && !all.mixed()));
+  return agreed ? here.region() : -1;
 }
 
 /// The region before the first hit of a ray, when every hit of it is a clear crossing.
@@ -113,10 +145,10 @@ int region_by_foot(const Model& model, const Model::Data& data, const Vec3& p) {
     const Vec2 uv = data.surface(face).project(foot->point, data.seed(near->triangle, near->weights)).uv;
     beholder.look(data, face, data.normal(face, uv, near->triangle).dot(away));
   }
-  const bool clear = beholder.most >= (foot->on.dim == 2 ? 0.5 : 0.02) * foot->distance;
-  if (beholder.region >= 0 && (clear || foot->distance <= data.tolerance)) return beholder.region;
+  const bool clear = !beholder.torn() && beholder.most() >= (foot->on.dim == 2 ? 0.5 : 0.02) * foot->distance;
+  if (beholder.region() >= 0 && (clear || foot->distance <= data.tolerance)) return beholder.region();
   const auto vote = region_by_rays(model, p);
-  return vote ? *vote : std::max(beholder.region, 0);
+  return vote ? *vote : std::max(beholder.region(), 0);
 }
 
 }  // namespace
