@@ -229,11 +229,17 @@ CadDocument read_iges(const std::filesystem::path& path) {
   return result;
 }
 
+/// OCCT's parser never looks at the stream's state and loops for ever at an early end: the stream throws.
 CadDocument read_brep(const std::filesystem::path& path) {
   CadDocument result;
   BRep_Builder builder;
-  if (!BRepTools::Read(result.shape, path.string().c_str(), builder))
+  std::ifstream in(path, std::ios::binary);
+  try {
+    in.exceptions(std::ios::failbit | std::ios::badbit);
+    BRepTools::Read(result.shape, in, builder);
+  } catch (const std::ios_base::failure&) {
     throw InputError("BREP file " + quoted(path) + " cannot be parsed: it is damaged or truncated");
+  }
   return result;
 }
 

@@ -171,10 +171,14 @@ void PatchTree::solve_cell(const Segment& segment, const Patch& leaf, const UvCe
   }
   const SurfaceJet jet = evaluate_(cell.centre(), 1);
   const int axis = jet.du.norm() * h.x() + bend_u >= jet.dv.norm() * h.y() + bend_v ? 0 : 1;
+  // Towards a pole the second derivatives vanish with the cell: bounds of the whole leaf would split for
+  // ever.
+  Patch here = leaf;
+  if (depth % 4 == 3) here.second = leaf.second.cwiseMin(measured(cell).second);
   UvCell left = cell, right = cell;
   left.hi[axis] = right.lo[axis] = cell.centre()[axis];
-  solve_cell(segment, leaf, left, depth + 1, budget, roots);
-  solve_cell(segment, leaf, right, depth + 1, budget, roots);
+  solve_cell(segment, here, left, depth + 1, budget, roots);
+  solve_cell(segment, here, right, depth + 1, budget, roots);
 }
 
 /// The surface seen along the segment is a map of the plane; where its derivative varies less over the cell
@@ -285,7 +289,7 @@ void PatchTree::add(const Segment& segment, const SurfaceRoot& root, std::vector
     const bool same_way =
         way * way_there > 0.0 || root.tangent || other.tangent || way == 0.0 || way_there == 0.0;
     if (!same_way) continue;
-    other.tangent = other.tangent && root.tangent;
+    other.tangent = other.tangent || root.tangent;
     return;
   }
   roots.push_back(root);

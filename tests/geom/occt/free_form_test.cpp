@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Free-form surfaces and curves against the closed forms they stand for.
+#include <gtest/gtest.h>
+
+#include <BRepBuilderAPI_NurbsConvert.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
+#include <GeomConvert.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <Geom_Circle.hxx>
+#include <Geom_CylindricalSurface.hxx>
+#include <Geom_RectangularTrimmedSurface.hxx>
+#include <Geom_SphericalSurface.hxx>
+#include <Geom_TrimmedCurve.hxx>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "geom/occt/from_shape.h"
+#include "geom/occt/occt_curve.h"
+#include "geom/occt/occt_surface.h"
+
+namespace octet {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+std::shared_ptr<const Surface> nurbs(const Handle(Geom_Surface) & surface, double u0, double u1, double v0,
+                                     double v1) {
+  const Handle(Geom_Surface) piece = new Geom_RectangularTrimmedSurface(surface, u0, u1, v0, v1);
+  const Handle(Geom_BSplineSurface) spline = GeomConvert::SurfaceToBSplineSurface(piece);
+  UvCell cell;
+  spline->Bounds(cell.lo.x(), cell.hi.x(), cell.lo.y(), cell.hi.y());
+  return make_free_form(spline, cell);
+}
+
+std::shared_ptr<const Surface> nurbs_cylinder() {
+  return nurbs(new Geom_CylindricalSurface(gp_Ax3(), 1.0), 0.0, 2.0 * kPi, 0.0, 2.0);
+}
+
+std::shared_ptr<const Surface> nurbs_sphere() {
+  return nurbs(new Geom_SphericalSurface(gp_Ax3(), 1.0), 0.0, 2.0 * kPi, -0.5 * kPi, 0.5 * kPi);
+}
+
+std::vector<SurfaceRoot> roots_of(const Surface& surface, const Vec3& p, const Vec3& q) {
+  std::vector<SurfaceRoot> roots;
+  surface.intersect(p, q, {}, roots);
+  return roots;
+}
+
+TEST(FreeForm, LinesJustBelowTangencyCrossACylinderTwice) {
+  const auto cylinder = nurbs_cylinder();
+  for (const double depth : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9})
+    for (const double z : {0.1234, 0.777, 1.9}) {
+      const double y = 1.0 - depth;
+      const auto roots = roots_of(*cylinder, {-2.0, y, z}, {2.0, y, z});
+      ASSERT_EQ(roots.size(), 2u) << depth << " at " << z;
+      const double x = std::sqrt((1.0 - y) * (1.0 + y));
+      const double lo = std::min(roots[0].t, roots[1].t), hi = std::max(roots[0].t, roots[1].t);
+      EXPECT_NEAR(-2.0 + 4.0 * lo, -x, 1e-12 / x + 1e-12);
+      EXPECT_NEAR(-2.0 + 4.0 * hi, x, 1e-12 / x + 1e-12);
+    }
+}
+
+TEST(FreeForm, ALineThatTouchesIsOneTangentRoot) {
+  const auto roots = roots_of(*nurbs_cylinder(), {-2.0, 1.0, 0.77}, {2.0, 1.0, 0.77});
+  ASSERT_EQ(roots.size(), 1u);
+  EXPECT_TRUE(roots[0].tangent);
+  EXPECT_NEAR(roots[0].t, 0.5, 1e-6);
+}
+
+TEST(FreeForm, ALineJustOutsideMisses) {
+  EXPECT_TRUE(roots_of(*nurbs_cylinder(), {-2.0, 1.0 + 1e-9, 0.77}, {2.0, 1.0 + 1e-9, 0.77}).empty());
+}
+
+TEST(FreeForm, ALineInTheSurfaceIsCoincident) {
+  const auto roots = roots_of(*nurbs_cylinder(), {0.6, 0.8, 0.5}, {0.6, 0.8, 1.5});
+  ASSERT_FALSE(roots.empty());
+  for (const SurfaceRoot& root : roots) EXPECT_TRUE(root.coincident);
+}
+
+TEST(FreeForm, ALineThroughThePoleOfASphereHitsItOnce) {
+  const auto sphere = nurbs_sphere();
+  EXPECT_EQ(roots_of(*sphere, {0, 0, 0.5}, {0, 0, 1.5}).size(), 1u);
+  EXPECT_EQ(roots_of(*sphere, {0.2, 0.1, 0.0}, {0.2, 0.1, 1.5}).size(), 1u);
+  EXPECT_EQ(roots_of(*sphere, {0, 0, -1.5}, {0, 0, 1.5}).size(), 2u);
+}
+
+TEST(FreeForm, ProjectionFindsTheFootOnASphere) {
+  const auto sphere = nurbs_sphere();
+  for (int i = 0; i < 200; ++i) {
+    const double a = 0.1 + 0.031 * i, b = -1.3 + 0.013 * i;
+    const Vec3 direction(std::cos(a) * std::cos(b), std::sin(a) * std::cos(b), std::sin(b));
+    const auto start = roots_of(*sphere, Vec3::Zero(), 2.0 * direction);
+    ASSERT_EQ(start.size(), 1u);
+    const Vec2 seed = start[0].uv + Vec2(0.05, -0.05);
+    const SurfaceFoot foot = sphere->project(1.1 * direction, seed);
+    EXPECT_TRUE(foot.converged);
+    EXPECT_LT((foot.point - direction).norm(), 1e-9);
+  }
+}
+
+TEST(FreeForm, NormalsExistAtThePole) {
+  const auto sphere = nurbs_sphere();
+  const auto root = roots_of(*sphere, {0.01, 0.02, 0.5}, {0.01, 0.02, 1.5});
+  ASSERT_EQ(root.size(), 1u);
+  Vec2 pole = root[0].uv;
+  pole.y() = root[0].uv.y() + 10.0;  // beyond the range: the projection clamps it to the pole
+  pole = sphere->project({0, 0, 1}, {root[0].uv.x(), root[0].uv.y()}).uv;
+  EXPECT_GT(std::abs(sphere->normal(pole).z()), 0.999);
+}
+
+TEST(FreeForm, SolidsOfSplinesHaveTheVolumeOfTheirQuadrics) {
+  const auto volume = [](const TopoDS_Shape& shape) {
+    return model_from_shape(BRepBuilderAPI_NurbsConvert(shape, true).Shape()).region(1).volume;
+  };
+  EXPECT_NEAR(volume(BRepPrimAPI_MakeSphere(10).Shape()), 4000.0 / 3.0 * kPi, 1e-2);
+  EXPECT_NEAR(volume(BRepPrimAPI_MakeCylinder(5, 20).Shape()), 500.0 * kPi, 1e-3);
+  EXPECT_NEAR(volume(BRepPrimAPI_MakeTorus(20, 5).Shape()), 1000.0 * kPi * kPi, 1e-2);
+}
+
+std::shared_ptr<const Curve> nurbs_arc() {
+  const Handle(Geom_Curve) circle = new Geom_Circle(gp_Ax2(), 2.0);
+  const Handle(Geom_BSplineCurve) spline =
+      GeomConvert::CurveToBSplineCurve(new Geom_TrimmedCurve(circle, 0.25, 0.25 + 1.5 * kPi));
+  return make_free_curve(spline, spline->FirstParameter(), spline->LastParameter());
+}
+
+TEST(FreeCurve, CutFindsBothCrossingsAndTheirPlaces) {
+  const auto arc = nurbs_arc();
+  for (const double y : {1.9, 1.99, 1.9999, 1.999999}) {
+    std::vector<double> parameters;
+    arc->cut(1, y, parameters);
+    ASSERT_EQ(parameters.size(), 2u) << y;
+    for (const double t : parameters) EXPECT_NEAR(arc->point(t).y(), y, 1e-12);
+  }
+  std::vector<double> none;
+  arc->cut(1, 2.0 + 1e-9, none);
+  EXPECT_TRUE(none.empty());
+}
+
+TEST(FreeCurve, ProjectionGivesTheNearestPointEndsIncluded) {
+  const auto arc = nurbs_arc();
+  for (int i = 0; i < 100; ++i) {
+    const double a = 0.3 + 0.045 * i;
+    const Vec3 direction(std::cos(a), std::sin(a), 0.0);
+    EXPECT_LT((arc->point(arc->project(2.3 * direction + Vec3(0, 0, 0.4), 0.5)) - 2.0 * direction).norm(),
+              1e-9);
+  }
+  const Vec3 start(2.0 * std::cos(0.25), 2.0 * std::sin(0.25), 0.0);
+  EXPECT_LT((arc->point(arc->project({2.0, 0.1, 0.0}, 0.5)) - start).norm(), 1e-12);
+}
+
+}  // namespace
+}  // namespace octet

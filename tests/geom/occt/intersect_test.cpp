@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Model::intersect loses and adds nothing against every surface asked without facets.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "sample_parts.h"
+
+namespace octet::test {
+namespace {
+
+/// Axis-parallel segments as an octree asks for, at general places near the surface.
+struct Segments {
+  explicit Segments(const Model& model) : model_(model), step_(model.diagonal() / 40.0) {}
+
+  std::pair<Vec3, Vec3> next() {
+    const Facets& facets = model_.facets();
+    const auto& nodes = facets.triangles[generator_() % facets.triangles.size()];
+    const double a = unit(), b = unit() * (1.0 - a);
+    Vec3 p = (1.0 - a - b) * facets.nodes[nodes[0]] + a * facets.nodes[nodes[1]] + b * facets.nodes[nodes[2]];
+    for (int i = 0; i < 3; ++i) p[i] += (unit() - 0.5) * step_;
+    const auto axis = static_cast<Eigen::Index>(generator_() % 3);
+    Vec3 q = p;
+    const bool whole_row = generator_() % 4 == 0;
+    const double half = whole_row ? 1.1 * model_.diagonal() : 0.5 * step_;
+    p[axis] -= half;
+    q[axis] += half;
+    return {p, q};
+  }
+
+ private:
+  double unit() { return static_cast<double>(generator_() >> 11) * 0x1p-53; }
+  const Model& model_;
+  double step_;
+  std::mt19937_64 generator_{20240229};
+};
+
+std::vector<double> reference(const Model& model, const Vec3& p, const Vec3& q) {
+  std::vector<double> all;
+  std::vector<SurfaceRoot> roots;
+  for (int tag = 1; tag <= model.count(2); ++tag) {
+    roots.clear();
+    model.surface(tag).intersect(p, q, {}, roots);
+    for (const SurfaceRoot& root : roots)
+      if (model.face_side(tag, root.uv) != TrimSide::kOut) all.push_back(root.t);
+  }
+  return all;
+}
+
+class Intersect : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(Intersect, FindsWhatEverySurfaceFindsWithoutFacets) {
+  const Model model = sample(GetParam());
+  Segments segments(model);
+  const int count = std::string(GetParam()) == "blade" ? 4000 : 20000;
+  int differences = 0, hits_seen = 0;
+  std::vector<Hit> hits;
+  for (int i = 0; i < count; ++i) {
+    const auto [p, q] = segments.next();
+    hits.clear();
+    model.intersect(p, q, hits);
+    const std::vector<double> expected = reference(model, p, q);
+    hits_seen += static_cast<int>(hits.size());
+    const double near = 1e-6 * model.diagonal() / (q - p).norm();
+    for (const double t : expected)
+      differences +=
+          std::none_of(hits.begin(), hits.end(), [&](const Hit& hit) { return std::abs(hit.t - t) < near; });
+    for (const Hit& hit : hits)
+      differences += std::none_of(expected.begin(), expected.end(),
+                                  [&](double t) { return std::abs(hit.t - t) < near; });
+  }
+  EXPECT_EQ(differences, 0);
+  EXPECT_GT(hits_seen, count / 4);
+}
+
+TEST_P(Intersect, HitsLeadFromRegionToRegion) {
+  const Model model = sample(GetParam());
+  Segments segments(model);
+  std::vector<Hit> hits;
+  for (int i = 0; i < 1000; ++i) {
+    const auto [p, q] = segments.next();
+    hits.clear();
+    model.intersect(p, q, hits);
+    int region = model.region_at(p);
+    for (const Hit& hit : hits) {
+      if (hit.kind != HitKind::kTransversal || hit.on.dim != 2) break;
+      const auto& sides = model.face(hit.face).region;
+      const bool forward = hit.normal.dot(q - p) > 0.0;
+      EXPECT_EQ(sides[forward ? 0 : 1], region);
+      region = sides[forward ? 1 : 0];
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Samples, Intersect,
+                         ::testing::Values("ball", "blade", "box", "box_minus_ball", "bracket", "cone",
+                                           "cylinder", "plate_with_hole", "torus", "two_boxes"),
+                         [](const auto& sample) { return std::string(sample.param); });
+
+}  // namespace
+}  // namespace octet::test

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Writes the sample parts of models/ as STEP files: octet_make_models DIRECTORY.
+#include <BOPAlgo_Builder.hxx>
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepFilletAPI_MakeFillet.hxx>
+#include <BRepOffsetAPI_ThruSections.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
+#include <BRep_Tool.hxx>
+#include <GeomAPI_PointsToBSpline.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <Interface_Static.hxx>
+#include <Message.hxx>
+#include <Message_Messenger.hxx>
+#include <STEPControl_Controller.hxx>
+#include <STEPControl_Writer.hxx>
+#include <TColgp_Array1OfPnt.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <string>
+
+namespace {
+
+TopoDS_Shape cylinder(double x, double y, double z, const gp_Dir& along, double radius, double length) {
+  return BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(x, y, z), along), radius, length);
+}
+
+TopoDS_Shape cut(const TopoDS_Shape& from, const TopoDS_Shape& tool) {
+  return BRepAlgoAPI_Cut(from, tool).Shape();
+}
+TopoDS_Shape fuse(const TopoDS_Shape& a, const TopoDS_Shape& b) { return BRepAlgoAPI_Fuse(a, b).Shape(); }
+
+/// Rounds the edges that `choose` picks by their middle point.
+TopoDS_Shape round_edges(const TopoDS_Shape& shape, double radius,
+                         const std::function<bool(const gp_Pnt&)>& choose) {
+  BRepFilletAPI_MakeFillet fillet(shape);
+  TopTools_IndexedMapOfShape edges;
+  TopExp::MapShapes(shape, TopAbs_EDGE, edges);
+  for (int i = 1; i <= edges.Extent(); ++i) {
+    double first = 0.0, last = 0.0;
+    const Handle(Geom_Curve) curve = BRep_Tool::Curve(TopoDS::Edge(edges(i)), first, last);
+    if (!curve.IsNull() && choose(curve->Value(0.5 * (first + last))))
+      fillet.Add(radius, TopoDS::Edge(edges(i)));
+  }
+  return fillet.Shape();
+}
+
+bool near(double a, double b) { return std::abs(a - b) < 1e-6; }
+
+TopoDS_Shape rib(double y) {
+  BRepBuilderAPI_MakePolygon polygon(gp_Pnt(8, y, 8), gp_Pnt(38, y, 8), gp_Pnt(8, y, 38), true);
+  return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(polygon.Wire()), gp_Vec(0, 5, 0));
+}
+
+/// An L of two plates 8 thick, 100 x 60 and 60 x 70, with two ribs, holes, a slot and rounded edges.
+TopoDS_Shape bracket() {
+  TopoDS_Shape part = fuse(BRepPrimAPI_MakeBox(100, 60, 8).Shape(), BRepPrimAPI_MakeBox(8, 60, 70).Shape());
+  // The corners of both plates, the outer bend and the inner bend.
+  part = round_edges(part, 10.0, [](const gp_Pnt& p) {
+    return (near(p.X(), 100) && near(p.Z(), 4)) || (near(p.X(), 4) && near(p.Z(), 70));
+  });
+  part = round_edges(part, 6.0, [](const gp_Pnt& p) { return near(p.X(), 8) && near(p.Z(), 8); });
+  part = fuse(part, rib(8));
+  part = fuse(part, rib(47));
+  for (const double y : {15.0, 45.0}) part = cut(part, cylinder(82, y, -1, gp::DZ(), 5, 20));
+  part = cut(part, cylinder(60, 30, -1, gp::DZ(), 9, 20));
+  part = cut(part, cylinder(60, 30, 5, gp::DZ(), 13, 20));
+  part = cut(part, cylinder(-1, 30, 50, gp::DX(), 8, 20));
+  TopoDS_Shape slot =
+      fuse(BRepPrimAPI_MakeBox(gp_Pnt(24, 27, -1), gp_Pnt(36, 33, 20)).Shape(),
+           fuse(cylinder(24, 30, -1, gp::DZ(), 3, 21), cylinder(36, 30, -1, gp::DZ(), 3, 21)));
+  part = cut(part, slot);
+  // The lower rim, all around.
+  return round_edges(part, 2.0, [](const gp_Pnt& p) {
+    return near(p.Z(), 0) && (near(p.X(), 0) || near(p.Y(), 0) || near(p.Y(), 60) || p.X() > 90);
+  });
+}
+
+/// Two cubes of side 10 that share the face x = 10.
+TopoDS_Shape two_boxes() {
+  BOPAlgo_Builder builder;
+  builder.AddArgument(BRepPrimAPI_MakeBox(10, 10, 10).Shape());
+  builder.AddArgument(BRepPrimAPI_MakeBox(gp_Pnt(10, 0, 0), gp_Pnt(20, 10, 10)).Shape());
+  builder.Perform();
+  return builder.Shape();
+}
+
+TopoDS_Wire profile(double z, double chord, double thickness, double twist) {
+  constexpr int kPoints = 9;
+  TColgp_Array1OfPnt upper(1, kPoints), lower(1, kPoints);
+  const auto place = [&](double x, double y) {
+    return gp_Pnt(std::cos(twist) * x - std::sin(twist) * y, std::sin(twist) * x + std::cos(twist) * y, z);
+  };
+  for (int i = 0; i < kPoints; ++i) {
+    const double s = i / (kPoints - 1.0);
+    const double bow = 4.0 * s * (1.0 - s);
+    upper.SetValue(i + 1, place(chord * (s - 0.5), thickness * bow + 0.15 * chord * bow));
+    lower.SetValue(kPoints - i, place(chord * (s - 0.5), -thickness * bow + 0.15 * chord * bow));
+  }
+  BRepBuilderAPI_MakeWire wire;
+  wire.Add(BRepBuilderAPI_MakeEdge(GeomAPI_PointsToBSpline(upper).Curve()));
+  wire.Add(BRepBuilderAPI_MakeEdge(GeomAPI_PointsToBSpline(lower).Curve()));
+  return wire.Wire();
+}
+
+/// A twisted, tapered blade: two B-spline sheets that meet in sharp edges, and two flat ends.
+TopoDS_Shape blade() {
+  BRepOffsetAPI_ThruSections loft(true, false);
+  loft.AddWire(profile(0, 40, 4, 0.0));
+  loft.AddWire(profile(30, 34, 3.4, 0.2));
+  loft.AddWire(profile(60, 28, 2.8, 0.45));
+  loft.AddWire(profile(90, 22, 2.2, 0.7));
+  loft.Build();
+  return loft.Shape();
+}
+
+bool write(const TopoDS_Shape& shape, const std::string& directory, const std::string& name) {
+  Interface_Static::SetCVal("write.step.product.name", name.c_str());
+  STEPControl_Writer writer;
+  const std::string path = directory + "/" + name + ".step";
+  if (writer.Transfer(shape, STEPControl_AsIs) != IFSelect_RetDone ||
+      writer.Write(path.c_str()) != IFSelect_RetDone) {
+    std::fprintf(stderr, "cannot write %s\n", path.c_str());
+    return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::fprintf(stderr, "usage: octet_make_models DIRECTORY\n");
+    return 2;
+  }
+  Message::DefaultMessenger()->ChangePrinters().Clear();
+  STEPControl_Controller::Init();
+  const std::string directory = argv[1];
+  const TopoDS_Shape ball = BRepPrimAPI_MakeSphere(10).Shape();
+  const TopoDS_Shape centred = BRepPrimAPI_MakeBox(gp_Pnt(-15, -15, -15), gp_Pnt(15, 15, 15)).Shape();
+  const TopoDS_Shape plate = BRepPrimAPI_MakeBox(40, 30, 1).Shape();
+  const bool done = write(bracket(), directory, "bracket") &&
+                    write(BRepPrimAPI_MakeBox(10, 20, 30).Shape(), directory, "box") &&
+                    write(two_boxes(), directory, "two_boxes") && write(ball, directory, "ball") &&
+                    write(BRepPrimAPI_MakeCylinder(5, 20).Shape(), directory, "cylinder") &&
+                    write(BRepPrimAPI_MakeCone(10, 0, 20).Shape(), directory, "cone") &&
+                    write(BRepPrimAPI_MakeTorus(20, 5).Shape(), directory, "torus") &&
+                    write(cut(centred, ball), directory, "box_minus_ball") &&
+                    write(cut(plate, cylinder(20, 15, -1, gp::DZ(), 6, 3)), directory, "plate_with_hole") &&
+                    write(blade(), directory, "blade");
+  return done ? 0 : 1;
+}
