@@ -46,6 +46,16 @@ void count_left(Workshop& shop) {
   }
 }
 
+/// Works on what is below the target until nothing gives.
+void chase(Workshop& shop, double target, double polish, Observer& observer) {
+  forget_failures(shop);
+  for (int pass = 0; pass < kPasses; ++pass) {
+    const std::size_t done = improve_worst_first(shop, target, Effort::kFull, observer);
+    if (pass > 0 && done == 0) break;
+    relax_around(shop, target, polish);
+  }
+}
+
 }  // namespace
 
 FinalizeReport finalize(Mesh& mesh, const Model& model, const FinalizeOptions& options, Observer& observer) {
@@ -55,10 +65,11 @@ FinalizeReport finalize(Mesh& mesh, const Model& model, const FinalizeOptions& o
   const double target = shape_of_angle(options.target_dihedral), polish = shape_of_angle(kPolishAngle);
   collapse_short_edges(shop);
   for (int sweep = 0; sweep < kSweeps; ++sweep) smooth_sweep(shop, polish);
-  for (int pass = 0; pass < kPasses; ++pass) {
-    if (improve_worst_first(shop, target, pass == 0 ? Effort::kPolish : Effort::kFull, observer) == 0) break;
-  }
+  improve_worst_first(shop, target, Effort::kPolish, observer);
+  chase(shop, target, polish, observer);
+  forget_failures(shop);
   improve_worst_first(shop, std::max(target, polish), Effort::kPolish, observer);
+  chase(shop, target, polish, observer);
   shop.report.min_dihedral_before = before.smallest;
   const DihedralRange after = dihedrals(shop.mesh);
   if (after.smallest < before.smallest) {

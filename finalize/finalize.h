@@ -16,7 +16,7 @@ struct FinalizeOptions {
   double target_dihedral =
       0.349;  ///< radians (20 degrees): elements whose smallest dihedral is below it are worked on
   double leave_interior =
-      0.349;  ///< radians (20 degrees): elements without a boundary vertex are touched only below this
+      0.524;  ///< radians (30 degrees): elements without a boundary vertex are touched only below this
   double short_edge =
       0.35;  ///< edges shorter than this share of the local size are collapsed where the model allows
   double max_seconds =

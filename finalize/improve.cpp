@@ -3,6 +3,7 @@
 #include "finalize/improve.h"
 
 #include <algorithm>
+#include <chrono>
 #include <queue>
 #include <tuple>
 
@@ -115,10 +116,39 @@ bool improve_tet(Workshop& shop, TetId t, double goal, Effort effort) {
 }
 
 bool budget_spent(Workshop& shop) {
-  // Measured: an ordinary part uses a tenth of it; a thin shell, where nothing can be won, all of it.
-  const std::uint64_t budget = 2'000'000 + 400 * static_cast<std::uint64_t>(shop.mesh.tets.size());
+  // Measured: an ordinary part uses a tenth of it at most; a thin shell, where nothing can be won, all of it.
+  const std::uint64_t budget = 20'000'000 + 600 * static_cast<std::uint64_t>(shop.mesh.tets.size());
   if (shop.work > budget) shop.report.budget_spent = true;
+  if (shop.options.max_seconds > 0.0) {
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - shop.started;
+    if (spent.count() > shop.options.max_seconds) shop.report.budget_spent = true;
+  }
   return shop.report.budget_spent;
+}
+
+/// Marks the vertices of what an operation made.
+void note_change(Workshop& shop) {
+  ++shop.serial;
+  shop.touched.resize(shop.mesh.points.size(), 0);
+  for (const TetId t : shop.made) {
+    if (!shop.mesh.alive(t)) continue;
+    for (const VertexId v : shop.mesh.tets[t]) shop.touched[v.index()] = shop.serial;
+  }
+}
+
+void note_failure(Workshop& shop, TetId t) {
+  shop.tried.resize(shop.mesh.tets.size(), 0);
+  shop.tried[t.index()] = ++shop.serial;
+}
+
+/// Whether t was tried in vain and nothing has changed at its vertices since.
+bool is_hopeless(const Workshop& shop, TetId t) {
+  if (t.index() >= shop.tried.size()) return false;
+  const std::uint32_t when = shop.tried[t.index()];
+  const auto& v = shop.mesh.tets[t];
+  return when > 0 && std::all_of(v.begin(), v.end(), [&](VertexId x) {
+           return x.index() >= shop.touched.size() || shop.touched[x.index()] < when;
+         });
 }
 
 /// The shape that a collapse of a short edge at `v` must keep: what is there, or what is good enough.
@@ -174,6 +204,28 @@ void smooth_sweep(Workshop& shop, double goal) {
   }
 }
 
+void relax_around(Workshop& shop, double goal, double wish) {
+  WorkMesh& mesh = shop.mesh;
+  std::vector<VertexId> near;
+  std::vector<TetId> tets;
+  for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
+    const TetId t(i);
+    if (!mesh.alive(t) || mesh.quality[t] >= goal_of(shop, t, goal)) continue;
+    for (const VertexId v : mesh.tets[t]) {
+      star(mesh, v, tets);
+      for (const TetId s : tets) near.insert(near.end(), mesh.tets[s].begin(), mesh.tets[s].end());
+    }
+  }
+  std::sort(near.begin(), near.end());
+  near.erase(std::unique(near.begin(), near.end()), near.end());
+  for (const VertexId v : near) {
+    if (budget_spent(shop)) return;
+    if (smooth_vertex(shop, v, wish)) note_change(shop);
+  }
+}
+
+void forget_failures(Workshop& shop) { shop.tried.clear(); }
+
 double goal_of(const Workshop& shop, TetId t, double goal) {
   if (touches_boundary(shop.mesh, t)) return goal;
   return std::min(goal, shape_of_angle(shop.options.leave_interior));
@@ -192,8 +244,13 @@ std::size_t improve_worst_first(Workshop& shop, double goal, Effort effort, Obse
     queue.pop();
     if (!mesh.alive(candidate.tet) || mesh.quality[candidate.tet] != candidate.quality) continue;
     if (taken++ % 64 == 0 && observer.cancelled()) throw Cancelled();
-    if (!improve_tet(shop, candidate.tet, goal, effort)) continue;
+    if (is_hopeless(shop, candidate.tet)) continue;
+    if (!improve_tet(shop, candidate.tet, goal, effort)) {
+      note_failure(shop, candidate.tet);
+      continue;
+    }
     ++done;
+    note_change(shop);
     for (const TetId t : shop.made) {
       if (mesh.quality[t] < goal_of(shop, t, goal)) queue.push({mesh.quality[t], t});
     }

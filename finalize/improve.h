@@ -25,6 +25,13 @@ enum class Effort {
 /// work budget is spent.
 std::size_t improve_worst_first(Workshop& shop, double goal, Effort effort, Observer& observer);
 
+/// Smooths everything near the tetrahedra below `goal`, towards `wish`: what could not be bettered by itself
+/// may have room then.
+void relax_around(Workshop& shop, double goal, double wish);
+
+/// Lets improve_worst_first try everything again.
+void forget_failures(Workshop& shop);
+
 /// The shape that finalization works towards for t: `goal`, less for those that do not touch the boundary.
 [[nodiscard]] double goal_of(const Workshop& shop, TetId t, double goal);
 

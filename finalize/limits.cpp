@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <vector>
 
 #include "mesh/tet_mesh.h"
@@ -51,40 +52,38 @@ bool at_sharp_edge(Workshop& shop, TetId t) {
   return false;
 }
 
-/// Whether the boundary is met again within `reach`, straight from a vertex inside a model face through the
-/// region.
-bool wall_within(const Workshop& shop, VertexId v, std::int32_t region, double reach) {
-  const int face = shop.mesh.on[v].tag;
-  const FaceFoot foot = shop.model.face_project(face, shop.mesh.points[v]);
-  const Vec3 inward = shop.model.face(face).region[0] == region ? Vec3(-foot.normal) : foot.normal;
+/// Whether the boundary is met again within `reach`, straight through the region from the middle of face
+/// `face` of t, which lies on a model face.
+bool wall_within(const Workshop& shop, TetId t, int face, double reach) {
+  const auto& f = kTetFace[face];
+  const WorkMesh& mesh = shop.mesh;
+  const Vec3 middle = (mesh.point(t, f[0]) + mesh.point(t, f[1]) + mesh.point(t, f[2])) / 3.0;
+  const std::int32_t tag = mesh.face_on[t][face];
+  const FaceFoot foot = shop.model.face_project(std::abs(tag), middle);
+  const Vec3 inward = tag > 0 ? Vec3(-foot.normal) : foot.normal;
   std::vector<Hit> hits;
   shop.model.intersect(foot.point + 1e-3 * reach * inward, foot.point + reach * inward, hits);
   return !hits.empty();
 }
 
-/// The vertices inside model faces around t: its own say nothing where they lie on model edges.
-std::vector<VertexId> face_vertices_around(Workshop& shop, TetId t) {
-  std::vector<VertexId> vertices;
-  std::vector<TetId> around;
+bool in_thin_wall(Workshop& shop, TetId t) {
+  const double half = 0.5 * shop.size_at(shop.mesh.point(t, 0));
+  std::vector<TetId> around, near;
   for (const VertexId corner : std::array(shop.mesh.tets[t])) {
     star(shop.mesh, corner, around);
-    for (const TetId s : around) {
-      if (shop.mesh.region[s] != shop.mesh.region[t]) continue;
-      for (const VertexId v : shop.mesh.tets[s]) {
-        if (shop.mesh.on[v].dim == 2) vertices.push_back(v);
+    near.insert(near.end(), around.begin(), around.end());
+  }
+  std::sort(near.begin(), near.end());
+  near.erase(std::unique(near.begin(), near.end()), near.end());
+  for (const TetId s : near) {
+    for (int f = 0; f < 4; ++f) {
+      if (shop.mesh.face_on[s][f] != 0 && shop.mesh.region[s] == shop.mesh.region[t] &&
+          wall_within(shop, s, f, half)) {
+        return true;
       }
     }
   }
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  return vertices;
-}
-
-bool in_thin_wall(Workshop& shop, TetId t) {
-  const double half = 0.5 * shop.size_at(shop.mesh.point(t, 0));
-  const std::vector<VertexId> vertices = face_vertices_around(shop, t);
-  return std::any_of(vertices.begin(), vertices.end(),
-                     [&](VertexId v) { return wall_within(shop, v, shop.mesh.region[t], half); });
+  return false;
 }
 
 }  // namespace

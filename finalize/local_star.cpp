@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <optional>
 
 #include "finalize/shape.h"
 
@@ -11,13 +12,20 @@ namespace octet {
 namespace {
 
 /// A projection on a curved face, in evaluations of `shape`.
-constexpr std::uint64_t kProjectionWork = 10;
+constexpr std::uint64_t kProjectionWork = 30;
 
 const Seat* find_seat(const Stand& stand, int face) {
   for (const auto& [f, seat] : stand.seats) {
     if (f == face) return &seat;
   }
   return nullptr;
+}
+
+std::optional<FaceFoot> project(Workshop& shop, int face, const Vec3& p, const Seat* seed) {
+  shop.work += kProjectionWork;
+  const FaceFoot foot =
+      seed != nullptr ? shop.model.face_project(face, p, seed->uv) : shop.model.face_project(face, p);
+  return foot.converged ? std::optional(foot) : std::nullopt;
 }
 
 /// Triangles of the tetrahedron at the vertex; those with two sides are taken from one of them.
@@ -85,26 +93,29 @@ Stand current_stand(Workshop& shop, VertexId v, const LocalStar& star) {
 bool take_stand(Workshop& shop, const LocalStar& star, const Stand& from, const Vec3& wish, Stand& stand) {
   stand.seats.clear();
   stand.point = wish;
-  if (star.on.dim == 3) return true;
   if (star.on.dim == 1) {
     const EdgeFoot foot = shop.model.edge_project(star.on.tag, wish, from.t);
     stand.point = foot.point;
     stand.t = foot.t;
-  }
-  if (star.on.dim == 2 && shop.guard.planar(star.on.tag)) {
+  } else if (star.on.dim == 2 && shop.guard.planar(star.on.tag)) {
     // Any foot is exact on a plane; its (u,v) is not kept.
     stand.point = shop.model.face_project(star.on.tag, wish, Vec2::Zero()).point;
-    return true;
+  } else if (star.on.dim == 2) {
+    const std::optional<FaceFoot> foot = project(shop, star.on.tag, wish, find_seat(from, star.on.tag));
+    if (!foot) return false;
+    stand.point = foot->point;
+    stand.seats.emplace_back(star.on.tag, Seat{foot->uv, foot->normal});
   }
+  return true;
+}
+
+bool take_seats(Workshop& shop, const LocalStar& star, const Stand& from, Stand& stand) {
+  if (star.on.dim != 1) return true;
   for (const int face : star.faces) {
     if (shop.guard.planar(face)) continue;
-    const Seat* seed = find_seat(from, face);
-    const FaceFoot foot = seed != nullptr ? shop.model.face_project(face, stand.point, seed->uv)
-                                          : shop.model.face_project(face, stand.point);
-    shop.work += kProjectionWork;
-    if (!foot.converged) return false;
-    if (star.on.dim == 2) stand.point = foot.point;
-    stand.seats.emplace_back(face, Seat{foot.uv, foot.normal});
+    const std::optional<FaceFoot> foot = project(shop, face, stand.point, find_seat(from, face));
+    if (!foot) return false;
+    stand.seats.emplace_back(face, Seat{foot->uv, foot->normal});
   }
   return true;
 }

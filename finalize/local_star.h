@@ -42,9 +42,12 @@ void dress_triangles(Workshop& shop, LocalStar& star, const Fit& before, double 
 /// How the vertex of the mesh stands now.
 [[nodiscard]] Stand current_stand(Workshop& shop, VertexId v, const LocalStar& star);
 
-/// Brings `wish` onto the entity, starting from how the vertex stands; false when the projection fails.
+/// Brings `wish` onto the entity, starting from how the vertex stands; false when the projection fails. The
+/// seats of a vertex on an edge are left for `take_seats`.
 [[nodiscard]] bool take_stand(Workshop& shop, const LocalStar& star, const Stand& from, const Vec3& wish,
                               Stand& stand);
+/// Seats a vertex on an edge on the faces there.
+[[nodiscard]] bool take_seats(Workshop& shop, const LocalStar& star, const Stand& from, Stand& stand);
 
 /// Smallest shape of the star with the vertex there; may stop early at a value not above `floor`.
 [[nodiscard]] double star_shape(Workshop& shop, const LocalStar& star, const Vec3& place, double floor);

@@ -81,12 +81,18 @@ void constrain(const Workshop& shop, const LocalStar& star, const Stand& stand,
   }
 }
 
-/// Shape with the vertex at from + s * direction, brought onto its entity; -1 where it cannot stand.
+/// Shape with the vertex at `wish`, brought onto its entity; -1 where it cannot stand or is not above
+/// `floor`.
 double probe(Workshop& shop, const LocalStar& star, const Stand& from, const Vec3& wish, double floor,
              Stand& stand) {
+  // The foot on a curved face is near to the wish: where that is far from good enough, spare the projection.
+  const bool costly = star.on.dim == 2 && !shop.guard.planar(star.on.tag);
+  constexpr double kHopeless = 0.7;
+  if (costly && star_shape(shop, star, wish, kHopeless * floor) <= kHopeless * floor) return -1.0;
   if (!take_stand(shop, star, from, wish, stand)) return -1.0;
   const double value = star_shape(shop, star, stand.point, floor);
-  if (value <= floor || !triangles_fit(shop, star, stand)) return -1.0;
+  if (value <= floor || !take_seats(shop, star, from, stand) || !triangles_fit(shop, star, stand))
+    return -1.0;
   return value;
 }
 

@@ -55,19 +55,14 @@ LocalStar future_star(Workshop& shop, const EdgeRing& ring, ModelRef on) {
   return star;
 }
 
-/// The middle of the edge, on the entity.
-bool middle(Workshop& shop, const EdgeRing& ring, const LocalStar& star, Stand& stand) {
-  const WorkMesh& mesh = shop.mesh;
+/// How the new vertex would stand if it were where an end of the edge is: seeds for the projections.
+Stand seeds_of(Workshop& shop, const EdgeRing& ring, const LocalStar& star, const Vec3& middle) {
   Stand from;
-  if (star.on.dim == 1) {
-    from.t = shop.model.edge_closest(star.on.tag, 0.5 * (mesh.points[ring.a] + mesh.points[ring.b])).t;
+  if (star.on.dim == 1) from.t = shop.model.edge_closest(star.on.tag, middle).t;
+  for (const int face : star.faces) {
+    if (!shop.guard.planar(face)) from.seats.emplace_back(face, shop.guard.seat(shop.mesh, ring.a, face));
   }
-  if (star.on.dim < 3) {
-    for (const int face : star.faces) {
-      if (!shop.guard.planar(face)) from.seats.emplace_back(face, shop.guard.seat(mesh, ring.a, face));
-    }
-  }
-  return take_stand(shop, star, from, 0.5 * (mesh.points[ring.a] + mesh.points[ring.b]), stand);
+  return from;
 }
 
 std::vector<VolumeChange> volume_changes(const Workshop& shop, const EdgeRing& ring, const LocalStar& star,
@@ -133,10 +128,13 @@ bool split_edge(Workshop& shop, TetId t, VertexId a, VertexId b, double floor) {
   const ModelRef on = edge_entity(shop.mesh, ring);
   if (!on.valid()) return false;
   const LocalStar star = future_star(shop, ring, on);
+  const Vec3 middle = 0.5 * (shop.mesh.points[a] + shop.mesh.points[b]);
+  const Stand from = seeds_of(shop, ring, star, middle);
   Stand stand;
-  if (!middle(shop, ring, star, stand)) return false;
+  if (!take_stand(shop, star, from, middle, stand)) return false;
   const double halved = star_shape(shop, star, stand.point, 0.0);
-  if (halved <= 0.0 || !triangles_fit(shop, star, stand)) return false;
+  if (halved <= 0.0 || !take_seats(shop, star, from, stand) || !triangles_fit(shop, star, stand))
+    return false;
   const double worst = raise_worst(shop, star, stand, halved, 2.0 * floor);
   return worst > floor && commit_split(shop, ring, star, stand);
 }

@@ -2,6 +2,8 @@
 // What every operator of finalization works on.
 #pragma once
 
+#include <chrono>
+
 #include "finalize/boundary_guard.h"
 #include "finalize/finalize.h"
 #include "finalize/work_mesh.h"
@@ -20,6 +22,13 @@ struct Workshop {
   FinalizeReport report;
   std::uint64_t work = 0;   ///< evaluations of `shape`, the unit of the work budget
   std::vector<TetId> made;  ///< tetrahedra made or changed by the last operator that succeeded
+
+  /// Serial numbers of operations: when tetrahedra at the vertex last changed, and when the tetrahedron was
+  /// last tried in vain. What has not changed since is not tried again.
+  std::vector<std::uint32_t> touched, tried;
+  std::uint32_t serial = 0;
+
+  std::chrono::steady_clock::time_point started = std::chrono::steady_clock::now();
 
   [[nodiscard]] double size_at(const Vec3& p) const { return options.size_at(p); }
 };

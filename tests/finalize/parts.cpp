@@ -100,7 +100,6 @@ Part spindle_part(int n) {
 
 FinalizeOptions options_of_size(double size) {
   FinalizeOptions options;
-  options.leave_interior = options.target_dihedral;  // the lattices are bad all through
   options.size_at = [size](const Vec3&) { return size; };
   return options;
 }
