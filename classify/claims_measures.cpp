@@ -45,7 +45,7 @@ PieceMeasure measure_piece(const ClaimInput& in, std::uint32_t e) {
   m.chord = (in.point(b) - in.point(a)).norm();
   const double ta = in.mesh.point_on[a].dim == 1 ? in.node_foot[a].t : edge.t0;
   const double tb = in.mesh.point_on[b].dim == 1 ? in.node_foot[b].t : edge.t1;
-  if (edge.use != EdgeUse::kReal || tb <= ta) return m;  // the claim edge-chains tells
+  if (edge.use == EdgeUse::kDegenerate || tb <= ta) return m;  // the claim edge-chains tells
   for (const double s : {0.25, 0.5, 0.75})
     m.sagitta = std::max(m.sagitta, distance_to_segment(in.model.edge_point(tag, ta + s * (tb - ta)),
                                                         in.point(a), in.point(b)));
