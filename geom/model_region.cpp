@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 
 #include "geom/model_data.h"
@@ -13,66 +14,91 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Beside a nearest point x that several faces share, the face with the largest |n.(p - x)| is the one p
-/// looks at: no other face hides it, whatever the angles [Payne & Toga 1992]. At a cusp, where two faces
-/// leave x in the same direction, they tie and contradict each other: `torn`.
-class Beholder {
+/// On which side of a nearest point x does p lie? x may be a face's, an edge's or a vertex' point. The sum of
+/// the normals that point out of a region, each weighted by the angle of its facet at x, has a positive
+/// product with p - x outside of the region and a negative one inside [Baerentzen & Aanaes 2005, theorem 1].
+/// (The face with the largest |n.(p - x)| is right at edges, but not at acute vertices.) Each region around
+/// x has its own sum, so interfaces between regions need no special case.
+class AngleWeightedSigns {
  public:
-  void look(const Model::Data& data, int face, double height) {
-    const int region = data.region_beside(face, height);
-    const double weight = std::abs(height);
-    for (int k = 0; k < count_; ++k)
-      if (region_[k] == region) {
-        most_[k] = std::max(most_[k], weight);
-        return;
-      }
-    if (count_ == static_cast<int>(region_.size())) return;
-    region_[count_] = region;
-    most_[count_++] = weight;
+  /// `height`: n.(p - x), n towards region[1]; `angle`: 2 pi within a face, pi on an edge.
+  void add(const ModelFace& face, double angle, double height) {
+    weight_ += angle;
+    sum_of(face.region[0]) += angle * height;
+    sum_of(face.region[1]) -= angle * height;
   }
-  [[nodiscard]] int winner() const {
-    int best = 0;
-    for (int k = 1; k < count_; ++k)
-      if (most_[k] > most_[best]) best = k;
-    return best;
-  }
-  [[nodiscard]] int region() const { return count_ == 0 ? -1 : region_[winner()]; }
-  [[nodiscard]] double most() const { return count_ == 0 ? 0.0 : most_[winner()]; }
-  [[nodiscard]] bool mixed() const { return count_ > 1; }
-  [[nodiscard]] bool torn() const {
-    constexpr double kTie = 1.001;
-    const int best = count_ == 0 ? 0 : winner();
-    for (int k = 0; k < count_; ++k)
-      if (k != best && most_[k] * kTie >= most_[best]) return true;
-    return false;
+  /// The one region whose sum is negative by more than `share` of the weight and distance; -1: not clear.
+  [[nodiscard]] int region(double share, double distance) const {
+    if (count_ == 1) return region_[0];
+    const double least = share * weight_ * distance;
+    int inside = -1;
+    for (int k = 0; k < count_; ++k) {
+      if (std::abs(sum_[k]) < least) return -1;
+      if (sum_[k] > 0.0) continue;
+      if (inside >= 0) return -1;
+      inside = region_[k];
+    }
+    return inside;
   }
 
  private:
-  std::array<int, 8> region_{};
-  std::array<double, 8> most_{};
+  double& sum_of(int region) {
+    for (int k = 0; k < count_; ++k)
+      if (region_[k] == region) return sum_[k];
+    if (count_ == static_cast<int>(region_.size())) return overflow_;
+    region_[count_] = region;
+    return sum_[count_++];
+  }
+  static constexpr std::size_t kMost = 16;
+  std::array<int, kMost> region_{};
+  std::array<double, kMost> sum_{};
+  double overflow_ = 0.0, weight_ = 0.0;
   int count_ = 0;
 };
+
+/// The angle of a facet around one of its points, given by barycentric weights.
+double angle_at(const Facets& facets, const FacetFoot& f) {
+  constexpr double kZero = 1e-9;
+  int zeros = 0, corner = 0;
+  for (int k = 0; k < 3; ++k) {
+    zeros += f.weights[k] <= kZero;
+    if (f.weights[k] > 0.5) corner = k;
+  }
+  if (zeros < 2) return zeros == 0 ? 2.0 * std::numbers::pi : std::numbers::pi;
+  const auto& t = facets.triangles[f.triangle];
+  const Vec3& x = facets.nodes[t[corner]];
+  const Vec3 a = facets.nodes[t[(corner + 1) % 3]] - x, b = facets.nodes[t[(corner + 2) % 3]] - x;
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+/// The facets that hold x, as seen from p.
+int region_by_star(const Model::Data& data, const Vec3& p, const Vec3& x, double same, double share) {
+  AngleWeightedSigns signs;
+  data.bvh.visit_within(x, same, 0, [&](const FacetFoot& f) {
+    if (f.distance > same) return;
+    signs.add(data.parts.faces[data.facets().face[f.triangle]], angle_at(data.facets(), f),
+              data.facet_normal(f.triangle).dot(p - x));
+  });
+  return signs.region(share, (p - x).norm());
+}
 
 /// The sign of the facets' nearest feature, farther from them than they deviate. -1: not clear, because a
 /// sheet of the other sign is about as near. At a cusp the facets of two sheets cross each other, and the
 /// nearest may be the wrong one, so every facet that could hold the true nearest point must agree.
 int region_by_facets(const Model::Data& data, const Vec3& p, const FacetFoot& nearest) {
   const Facets& facets = data.facets();
-  const double grow = data.bvh.grow(nearest.triangle);
   const double same = 1e-6 * nearest.distance + data.tolerance;
-  constexpr double kEdgeOn = 0.01;
-  Beholder here, all;
-  const auto height = [&](const FacetFoot& f) { return data.facet_normal(f.triangle).dot(p - f.point); };
-  here.look(data, facets.face[nearest.triangle], height(nearest));
-  data.bvh.visit_within(p, nearest.distance + 2.0 * grow + same, 0, [&](const FacetFoot& f) {
-    const double h = height(f);
-    if ((f.point - nearest.point).norm() <= same)
-      here.look(data, facets.face[f.triangle], h);
-    else if (std::abs(h) > kEdgeOn * f.distance)
-      all.look(data, facets.face[f.triangle], h);
+  constexpr double kEdgeOn = 0.01, kClear = 1e-4;
+  const int region = region_by_star(data, p, nearest.point, same, kClear);
+  bool agreed = region >= 0;
+  const double reach = nearest.distance + 2.0 * data.bvh.grow(nearest.triangle);
+  data.bvh.visit_within(p, reach, 0, [&](const FacetFoot& f) {
+    if (!agreed || (f.point - nearest.point).norm() <= same) return;
+    const double height = data.facet_normal(f.triangle).dot(p - f.point);
+    if (std::abs(height) <= kEdgeOn * f.distance) return;
+    agreed = data.region_beside(facets.face[f.triangle], height) == region;
   });
-  const bool agreed = !here.torn() && (all.region() < 0 || (all.region() == here.region() && !all.mixed()));
-  return agreed ? here.region() : -1;
+  return agreed ? region : -1;
 }
 
 /// The region before the first hit of a ray, when every hit of it is a clear crossing.
@@ -116,39 +142,45 @@ std::optional<int> region_by_rays(const Model& model, const Vec3& p) {
   return winner;
 }
 
-/// Faces that hold the foot: one, those of its edge, or those of its vertex.
-std::vector<int> faces_at(const Model& model, const Foot& foot) {
-  if (foot.on.dim == 2) return {foot.face};
-  if (foot.on.dim == 1) return model.edge(foot.on.tag).faces;
-  std::vector<int> faces;
-  for (const int e : model.vertex(foot.on.tag).edges)
-    for (const int f : model.edge(e).faces) faces.push_back(f);
-  std::sort(faces.begin(), faces.end());
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-  if (faces.empty()) faces.push_back(foot.face);
-  return faces;
+/// The sign beside a foot on an edge, by the exact normals of its faces.
+int region_by_edge(const Model& model, const Model::Data& data, const Vec3& p, const Foot& foot) {
+  AngleWeightedSigns signs;
+  for (const int face : model.edge(foot.on.tag).faces) {
+    Vec3 normal = foot.normal;
+    if (face != foot.face) {
+      const auto near = data.bvh.nearest(foot.point, kInfinity, face);
+      if (!near) continue;
+      const Vec2 seed = data.seed(near->triangle, near->weights);
+      normal = data.normal(face, data.surface(face).project(foot.point, seed).uv, near->triangle);
+    }
+    signs.add(model.face(face), std::numbers::pi, normal.dot(p - foot.point));
+  }
+  constexpr double kClear = 0.01;
+  return signs.region(kClear, foot.distance);
 }
 
 /// Near the boundary: the sign of the exact nearest point; rays where that is nearly tangent.
 int region_by_foot(const Model& model, const Model::Data& data, const Vec3& p) {
   const auto foot = model.closest(p, kInfinity);
   if (!foot) return 0;
-  const Vec3 away = p - foot->point;
-  Beholder beholder;
-  for (const int face : faces_at(model, *foot)) {
-    if (face == foot->face) {
-      beholder.look(data, face, foot->normal.dot(away));
-      continue;
-    }
-    const auto near = data.bvh.nearest(foot->point, kInfinity, face);
-    if (!near) continue;
-    const Vec2 uv = data.surface(face).project(foot->point, data.seed(near->triangle, near->weights)).uv;
-    beholder.look(data, face, data.normal(face, uv, near->triangle).dot(away));
+  const double height = foot->normal.dot(p - foot->point);
+  int region = -1;
+  if (foot->on.dim == 2) {
+    // Within a face p lies along the normal; where it does not, the foot is on a seam that is sharp.
+    constexpr double kAlong = 0.98;
+    if (std::abs(height) >= kAlong * foot->distance) region = data.region_beside(foot->face, height);
+  } else if (foot->on.dim == 1) {
+    region = region_by_edge(model, data, p, *foot);
+  } else {
+    // The facets around a vertex stand for its tangent cone: a coarse one, hence the wide margin.
+    constexpr double kClear = 0.05;
+    const Vec3& x = model.vertex(foot->on.tag).point;
+    region = region_by_star(data, p, x, data.vertex_reach(foot->on.tag), kClear);
   }
-  const bool clear = !beholder.torn() && beholder.most() >= (foot->on.dim == 2 ? 0.5 : 0.02) * foot->distance;
-  if (beholder.region() >= 0 && (clear || foot->distance <= data.tolerance)) return beholder.region();
-  const auto vote = region_by_rays(model, p);
-  return vote ? *vote : std::max(beholder.region(), 0);
+  if (region >= 0) return region;
+  if (foot->distance > data.tolerance)
+    if (const auto vote = region_by_rays(model, p)) return *vote;
+  return data.region_beside(foot->face, height);
 }
 
 }  // namespace

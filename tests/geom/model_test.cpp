@@ -140,6 +140,23 @@ TEST(Model, BothRegionsOfTwoBoxesAreToldApart) {
   }
 }
 
+TEST(Model, AcuteCornersAreSeenFromOutside) {
+  // Beyond an acute corner the face with the largest |n.(p - x)| has the wrong sign for some p.
+  const double angle = 0.15;
+  const Model wedge = analytic_wedge(angle, 1.0, 1.0);
+  Dice dice(9);
+  const auto inside = [&](const Vec3& p) {
+    const Vec3 a(1, 0, 0), b(std::cos(angle), std::sin(angle), 0);
+    const Vec3 far((b - a).y(), -(b - a).x(), 0), up(-std::sin(angle), std::cos(angle), 0);
+    return p.y() > 0 && up.dot(p) < 0 && far.dot(p - a) < 0 && p.z() > 0 && p.z() < 1;
+  };
+  for (int v = 1; v <= 6; ++v)
+    for (int i = 0; i < 1000; ++i) {
+      const Vec3 p = wedge.vertex(v).point + dice(1e-6, 0.4) * dice.direction();
+      ASSERT_EQ(wedge.region_at(p), inside(p) ? 1 : 0) << p.transpose();
+    }
+}
+
 TEST(Model, SegmentThroughAnEdgeIsOneEventOfThatEdge) {
   const Model box = analytic_box(Vec3(1, 1, 1));
   std::vector<Hit> hits;
