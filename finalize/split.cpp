@@ -123,12 +123,16 @@ bool commit_split(Workshop& shop, const EdgeRing& ring, const LocalStar& star, c
 
 bool split_edge(Workshop& shop, TetId t, VertexId a, VertexId b, double floor) {
   if (shop.mesh.frozen[a] || shop.mesh.frozen[b]) return false;
+  const Vec3 middle = 0.5 * (shop.mesh.points[a] + shop.mesh.points[b]);
+  // Halves that would count as nicks: splitting them again and again gains angles in thin walls, not
+  // elements.
+  const double least = 2.0 * shop.options.short_edge * shop.size_at(middle);
+  if ((shop.mesh.points[a] - shop.mesh.points[b]).norm() < least) return false;
   EdgeRing ring;
   edge_ring(shop.mesh, t, a, b, ring);
   const ModelRef on = edge_entity(shop.mesh, ring);
   if (!on.valid()) return false;
   const LocalStar star = future_star(shop, ring, on);
-  const Vec3 middle = 0.5 * (shop.mesh.points[a] + shop.mesh.points[b]);
   const Stand from = seeds_of(shop, ring, star, middle);
   Stand stand;
   if (!take_stand(shop, star, from, middle, stand)) return false;

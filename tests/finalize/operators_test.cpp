@@ -170,7 +170,7 @@ TEST(Collapse, LeavesThreePiecesOnAClosedEdge) {
 }
 
 TEST(Split, PutsTheNewVertexOnTheEntityOfTheEdge) {
-  Bench bench(testing::cylinder_part(4), 1.0);
+  Bench bench(testing::cylinder_part(4), 0.5);
   int on[4] = {0, 0, 0, 0};
   for (std::size_t i = 0; i < 40; ++i) {
     const TetId t(i);
@@ -187,6 +187,12 @@ TEST(Split, PutsTheNewVertexOnTheEntityOfTheEdge) {
   EXPECT_GT(on[1] + on[2] + on[3], 20);
   EXPECT_GT(on[1], 0);
   EXPECT_GT(on[2], 0);
+}
+
+TEST(Split, MakesNoNicks) {
+  Bench bench(testing::cylinder_part(4), 10.0);
+  const auto v = bench.shop.mesh.tets[TetId(0)];
+  EXPECT_FALSE(split_edge(bench.shop, TetId(0), v[0], v[1], -1.0));
 }
 
 TEST(Smooth, NeverLowersTheWorstOfTheStarAndStaysOnTheEntity) {
