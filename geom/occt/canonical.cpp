@@ -22,6 +22,9 @@
 #include <TopoDS.hxx>
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <mutex>
+#include <vector>
 
 #include "base/error.h"
 #include "geom/conics.h"
@@ -72,24 +75,44 @@ UvCell cell_of(const TopoDS_Face& face) {
   return cell;
 }
 
-/// FClass2d::Perform is const and was found to give the same answers from four threads; it is built once.
+/// FClass2d::Perform is const, but walks an NCollection_Sequence, whose cursor is mutable: two threads at one
+/// classifier crash. So each call borrows one of the idle ones, and there are as many as threads have met
+/// here.
 class OcctTrim final : public Trim {
  public:
-  OcctTrim(const TopoDS_Face& face, double uv_tolerance) : classifier_(face, uv_tolerance) {}
+  OcctTrim(const TopoDS_Face& face, double uv_tolerance) : face_(face), uv_tolerance_(uv_tolerance) {
+    give_back(make());
+  }
 
   TrimSide side(const Vec2& uv) const override {
-    switch (classifier_.Perform(gp_Pnt2d(uv.x(), uv.y()), true)) {
-      case TopAbs_IN:
-        return TrimSide::kIn;
-      case TopAbs_ON:
-        return TrimSide::kOn;
-      default:
-        return TrimSide::kOut;
-    }
+    std::unique_ptr<BRepTopAdaptor_FClass2d> classifier = borrow();
+    const TopAbs_State state = classifier->Perform(gp_Pnt2d(uv.x(), uv.y()), true);
+    give_back(std::move(classifier));
+    return state == TopAbs_IN ? TrimSide::kIn : state == TopAbs_ON ? TrimSide::kOn : TrimSide::kOut;
   }
 
  private:
-  BRepTopAdaptor_FClass2d classifier_;
+  using Classifier = std::unique_ptr<BRepTopAdaptor_FClass2d>;
+
+  [[nodiscard]] Classifier make() const {
+    return std::make_unique<BRepTopAdaptor_FClass2d>(face_, uv_tolerance_);
+  }
+  [[nodiscard]] Classifier borrow() const {
+    const std::lock_guard lock(mutex_);
+    if (idle_.empty()) return make();
+    Classifier last = std::move(idle_.back());
+    idle_.pop_back();
+    return last;
+  }
+  void give_back(Classifier classifier) const {
+    const std::lock_guard lock(mutex_);
+    idle_.push_back(std::move(classifier));
+  }
+
+  TopoDS_Face face_;
+  double uv_tolerance_;
+  mutable std::mutex mutex_;
+  mutable std::vector<Classifier> idle_;
 };
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include <numbers>
 
 #include "geom/occt/canonical.h"
+#include "geom/occt/spline_spans.h"
 
 namespace octet {
 namespace {
@@ -102,19 +103,20 @@ const char* kind_of(const Handle(Geom_Surface) & surface) {
 
 class OcctSurface final : public Surface {
  public:
-  OcctSurface(const Handle(Geom_Surface) & surface, const UvCell& face_cell) : surface_(surface) {
+  OcctSurface(const Handle(Geom_Surface) & surface, const UvCell& face_cell)
+      : surface_(surface), spans_(SplineSpans::make(surface)) {
     set_range(face_cell);
     const Knots knots = knots_of(surface);
     const double u_period = surface->IsUPeriodic() ? surface->UPeriod() : 0.0;
     const double v_period = surface->IsVPeriodic() ? surface->VPeriod() : 0.0;
-    const auto evaluate_here = [surface](const Vec2& uv, int n) { return jet_of(*surface, uv, n); };
+    const auto evaluate_here = [this](const Vec2& uv, int n) { return evaluate(uv, n); };
     tree_ =
         std::make_unique<PatchTree>(evaluate_here, breaks_of(knots.u, range_.lo.x(), range_.hi.x(), u_period),
                                     breaks_of(knots.v, range_.lo.y(), range_.hi.y(), v_period));
   }
 
   SurfaceJet evaluate(const Vec2& uv, int derivatives) const override {
-    return jet_of(*surface_, uv, derivatives);
+    return spans_ ? spans_->evaluate(uv, derivatives) : jet_of(*surface_, uv, derivatives);
   }
 
   void intersect(const Vec3& p, const Vec3& q, std::span<const Vec2>,
@@ -132,6 +134,7 @@ class OcctSurface final : public Surface {
   [[nodiscard]] Vec2 newton_step(const SurfaceJet& jet, const Vec3& r, const Vec2& uv, double damping) const;
 
   Handle(Geom_Surface) surface_;
+  std::unique_ptr<const SplineSpans> spans_;
   UvCell range_;
   bool closed_[2] = {false, false};  ///< the range is one whole turn
   std::unique_ptr<PatchTree> tree_;

@@ -6,6 +6,7 @@
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
+#include <GeomAPI_PointsToBSplineSurface.hxx>
 #include <GeomConvert.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
@@ -14,6 +15,7 @@
 #include <Geom_RectangularTrimmedSurface.hxx>
 #include <Geom_SphericalSurface.hxx>
 #include <Geom_TrimmedCurve.hxx>
+#include <TColgp_Array2OfPnt.hxx>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -21,6 +23,7 @@
 #include "geom/occt/from_shape.h"
 #include "geom/occt/occt_curve.h"
 #include "geom/occt/occt_surface.h"
+#include "geom/occt/spline_spans.h"
 
 namespace octet {
 namespace {
@@ -119,6 +122,43 @@ TEST(FreeForm, SolidsOfSplinesHaveTheVolumeOfTheirQuadrics) {
   EXPECT_NEAR(volume(BRepPrimAPI_MakeSphere(10).Shape()), 4000.0 / 3.0 * kPi, 1e-2);
   EXPECT_NEAR(volume(BRepPrimAPI_MakeCylinder(5, 20).Shape()), 500.0 * kPi, 1e-3);
   EXPECT_NEAR(volume(BRepPrimAPI_MakeTorus(20, 5).Shape()), 1000.0 * kPi * kPi, 1e-2);
+}
+
+void expect_same_jet(const Geom_Surface& surface, const SplineSpans& spans, const Vec2& uv) {
+  gp_Pnt p;
+  gp_Vec du, dv, duu, dvv, duv;
+  surface.D2(uv.x(), uv.y(), p, du, dv, duu, dvv, duv);
+  const SurfaceJet jet = spans.evaluate(uv, 2);
+  const auto error = [](const Vec3& ours, const gp_XYZ& theirs) {
+    return (ours - Vec3(theirs.X(), theirs.Y(), theirs.Z())).norm() / (1.0 + ours.norm());
+  };
+  EXPECT_LT(error(jet.p, p.XYZ()), 1e-14);
+  EXPECT_LT(error(jet.du, du.XYZ()), 1e-13);
+  EXPECT_LT(error(jet.dv, dv.XYZ()), 1e-13);
+  EXPECT_LT(error(jet.duu, duu.XYZ()), 1e-12);
+  EXPECT_LT(error(jet.duv, duv.XYZ()), 1e-12);
+  EXPECT_LT(error(jet.dvv, dvv.XYZ()), 1e-12);
+}
+
+TEST(SplineSpans, EvaluateAsOcctDoes) {
+  const Handle(Geom_Surface) sphere = new Geom_RectangularTrimmedSurface(
+      new Geom_SphericalSurface(gp_Ax3(), 1.0), 0.0, 2.0 * kPi, -0.5 * kPi, 0.5 * kPi);
+  TColgp_Array2OfPnt points(1, 7, 1, 6);
+  for (int i = 1; i <= 7; ++i)
+    for (int j = 1; j <= 6; ++j) points(i, j) = gp_Pnt(i, j, std::sin(1.3 * i) * std::cos(0.9 * j));
+  const Handle(Geom_BSplineSurface) closed = GeomConvert::SurfaceToBSplineSurface(sphere);
+  const Handle(Geom_BSplineSurface) sheet =
+      GeomAPI_PointsToBSplineSurface(points, 3, 5, GeomAbs_C2, 1e-6).Surface();
+  for (const Handle(Geom_BSplineSurface) & spline : {closed, sheet}) {
+    const auto spans = SplineSpans::make(spline);
+    ASSERT_TRUE(spans);
+    double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
+    spline->Bounds(u0, u1, v0, v1);
+    for (int i = 0; i <= 20; ++i)
+      for (int j = 0; j <= 20; ++j)
+        expect_same_jet(*spline, *spans,
+                        {u0 + (u1 - u0) * (0.003 + 0.0497 * i), v0 + (v1 - v0) * (0.003 + 0.0497 * j)});
+  }
 }
 
 std::shared_ptr<const Curve> nurbs_arc() {
