@@ -6,6 +6,7 @@
 #include <limits>
 #include <span>
 
+#include "geom/facet_trim.h"
 #include "geom/model_data.h"
 
 namespace octet {
@@ -48,14 +49,6 @@ class ClosestQuery {
  private:
   [[nodiscard]] int face_of(const FacetFoot& f) const { return data_.facets().face[f.triangle]; }
 
-  [[nodiscard]] double chord_distance(const BorderSide& side, const Vec3& x) const {
-    const Vec3 &a = data_.facets().nodes[side.a], &b = data_.facets().nodes[side.b];
-    const Vec3 e = b - a;
-    const double ee = e.squaredNorm();
-    const double u = ee > 0.0 ? std::clamp((x - a).dot(e) / ee, 0.0, 1.0) : 0.0;
-    return (x - a - u * e).norm();
-  }
-
   void meet_edges() {
     struct Nearest {
       int edge;
@@ -68,7 +61,7 @@ class ClosestQuery {
       for (const std::int32_t s : data_.border.of_triangle[f.triangle]) {
         if (s < 0) continue;
         const BorderSide& side = data_.border.sides[s];
-        const double d = chord_distance(side, p_);
+        const double d = chord_distance(data_, side, p_);
         const auto known =
             std::find_if(edges.begin(), edges.end(), [&](const Nearest& n) { return n.edge == side.edge; });
         if (known == edges.end())
@@ -108,7 +101,7 @@ class ClosestQuery {
       const SurfaceFoot foot = data_.surface(face).project(p_, data_.seed(start.triangle, start.weights));
       const double d = (foot.point - p_).norm();
       const bool far_off = !foot.converged || d > start.distance + grow;
-      if (d < best_.distance && data_.parts.trims[face]->side(foot.uv) != TrimSide::kOut) {
+      if (d < best_.distance && in_face(face, foot, triangles)) {
         best_.point = foot.point;
         best_.distance = d;
         best_.on = model_face(face);
@@ -118,6 +111,12 @@ class ClosestQuery {
       }
       if (!far_off) return;
     }
+  }
+
+  [[nodiscard]] bool in_face(int face, const SurfaceFoot& foot, std::span<const FacetFoot> triangles) const {
+    const auto id = [](const FacetFoot& f) { return f.triangle; };
+    return clearly_in_facets(data_, foot.point, foot.uv, triangles.begin(), triangles.end(), id) ||
+           data_.parts.trims[face]->side(foot.uv) != TrimSide::kOut;
   }
 
   /// No face holds its foot and no edge is near: trims and facets disagree (a seam, a pole).
@@ -142,7 +141,8 @@ class ClosestQuery {
         if (s < 0) continue;
         const BorderSide& side = data_.border.sides[s];
         const double reach = data_.edge_reach(side.edge);
-        if (chord_distance(side, best_.point) > reach + data_.facets().edge_deviation[side.edge]) continue;
+        if (chord_distance(data_, side, best_.point) > reach + data_.facets().edge_deviation[side.edge])
+          continue;
         const Curve& curve = data_.curve(side.edge);
         const Vec3 x = curve.point(curve.project(best_.point, side.t));
         if ((x - best_.point).norm() > reach) continue;

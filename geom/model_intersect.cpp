@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "geom/facet_trim.h"
 #include "geom/model_data.h"
 
 namespace octet {
@@ -49,13 +50,6 @@ std::pair<double, double> nearest_parameters(const Segment& s, const Chord& c) {
     t = std::clamp((b * u - g) / a, 0.0, 1.0);
   }
   return {t, u};
-}
-
-double distance_to_chord(const Vec3& p, const Chord& c) {
-  const Vec3 e = c.b - c.a;
-  const double ee = e.squaredNorm();
-  const double u = ee > 0.0 ? std::clamp((p - c.a).dot(e) / ee, 0.0, 1.0) : 0.0;
-  return (p - c.a - u * e).norm();
 }
 
 }  // namespace
@@ -204,9 +198,7 @@ class SegmentQuery {
       gather(*joint, face, root, triangles.front());
       return;
     }
-    const TrimSide side = data_.parts.trims[face]->side(root.uv);
-    if (side == TrimSide::kOut) return;
-    if (side == TrimSide::kOn && !left_of_border(face, x, triangles)) return;
+    if (!in_face(face, x, root.uv, triangles)) return;
     Hit hit;
     hit.t = t;
     hit.point = x;
@@ -219,6 +211,14 @@ class SegmentQuery {
                                : HitKind::kTransversal;
     hit.end_point = at_end(t);
     hits.push_back(hit);
+  }
+
+  [[nodiscard]] bool in_face(int face, const Vec3& x, const Vec2& uv,
+                             std::span<const std::uint32_t> triangles) const {
+    const auto id = [](std::uint32_t t) { return t; };
+    if (clearly_in_facets(data_, x, uv, triangles.begin(), triangles.end(), id)) return true;
+    const TrimSide side = data_.parts.trims[face]->side(uv);
+    return side == TrimSide::kIn || (side == TrimSide::kOn && left_of_border(face, x, triangles));
   }
 
   /// The edge or vertex event within whose tolerance x lies, among those of the triangles.
@@ -237,7 +237,7 @@ class SegmentQuery {
         if (s < 0) continue;
         const BorderSide& side = data_.border.sides[s];
         const double reach = data_.edge_reach(side.edge);
-        if (distance_to_chord(x, chord(side)) > reach + data_.facets().edge_deviation[side.edge]) continue;
+        if (chord_distance(data_, side, x) > reach + data_.facets().edge_deviation[side.edge]) continue;
         const double edge_t = data_.curve(side.edge).project(x, side.t);
         const Vec3 on_curve = data_.curve(side.edge).point(edge_t);
         if ((on_curve - x).norm() <= reach)
@@ -255,7 +255,7 @@ class SegmentQuery {
     for (const std::uint32_t triangle : triangles)
       for (const std::int32_t s : data_.border.of_triangle[triangle]) {
         if (s < 0) continue;
-        const double d = distance_to_chord(x, chord(data_.border.sides[s]));
+        const double d = chord_distance(data_, data_.border.sides[s], x);
         if (nearest != nullptr && d >= best) continue;
         nearest = &data_.border.sides[s];
         best = d;
