@@ -14,7 +14,8 @@
 namespace octet {
 namespace {
 
-constexpr int kMaxDegree = 7;
+/// Rounding grows as 2^degree, of the size of a span: 2e-13 of it for 8 by 3.
+constexpr int kMaxDegree = 10;
 constexpr std::size_t kMaxCoefficients = 4'000'000;  // 128 MB
 
 using Matrix = std::array<std::array<double, kMaxDegree + 1>, kMaxDegree + 1>;
@@ -41,6 +42,33 @@ std::vector<double> to_vector(const TColStd_Array1OfReal& array) {
   std::vector<double> items;
   for (int i = array.Lower(); i <= array.Upper(); ++i) items.push_back(array(i));
   return items;
+}
+
+Vec3 middle_of(const Geom_BezierSurface& patch) {
+  Box3 box;
+  for (const int i : {1, patch.NbUPoles()})
+    for (const int j : {1, patch.NbVPoles()}) {
+      const gp_Pnt p = patch.Pole(i, j);
+      box.add({p.X(), p.Y(), p.Z()});
+    }
+  return box.centre();
+}
+
+/// Homogeneous coefficients about `middle`, by power of u, then of v.
+void append_powers(const Geom_BezierSurface& patch, const Vec3& middle, const Matrix& mu, const Matrix& mv,
+                   std::vector<Eigen::Vector4d>& coefficients) {
+  for (int k = 0; k <= patch.UDegree(); ++k)
+    for (int l = 0; l <= patch.VDegree(); ++l) {
+      Eigen::Vector4d sum = Eigen::Vector4d::Zero();
+      for (int i = 0; i <= patch.UDegree(); ++i)
+        for (int j = 0; j <= patch.VDegree(); ++j) {
+          const gp_Pnt p = patch.Pole(i + 1, j + 1);
+          const double w = patch.Weight(i + 1, j + 1);
+          const Vec3 r = w * (Vec3(p.X(), p.Y(), p.Z()) - middle);
+          sum += mu[k][i] * mv[l][j] * Eigen::Vector4d(r.x(), r.y(), r.z(), w);
+        }
+      coefficients.push_back(sum);
+    }
 }
 
 /// Value and derivatives of a polynomial by Horner's rule.
@@ -84,17 +112,8 @@ std::unique_ptr<const SplineSpans> SplineSpans::make(const Handle(Geom_Surface) 
     for (int b = 1; b <= v_spans; ++b) {
       const Handle(Geom_BezierSurface) patch = convert.Patch(a, b);
       if (patch->UDegree() != spline->UDegree() || patch->VDegree() != spline->VDegree()) return nullptr;
-      for (int k = 0; k <= spline->UDegree(); ++k)
-        for (int l = 0; l <= spline->VDegree(); ++l) {
-          Eigen::Vector4d sum = Eigen::Vector4d::Zero();
-          for (int i = 0; i <= spline->UDegree(); ++i)
-            for (int j = 0; j <= spline->VDegree(); ++j) {
-              const gp_Pnt p = patch->Pole(i + 1, j + 1);
-              const double w = patch->Weight(i + 1, j + 1);
-              sum += mu[k][i] * mv[l][j] * Eigen::Vector4d(w * p.X(), w * p.Y(), w * p.Z(), w);
-            }
-          result->coefficients_.push_back(sum);
-        }
+      result->centres_.push_back(middle_of(*patch));
+      append_powers(*patch, result->centres_.back(), mu, mv, result->coefficients_);
     }
   return result;
 }
@@ -113,7 +132,8 @@ SurfaceJet SplineSpans::evaluate(const Vec2& uv, int derivatives) const {
   double s = 0.0, r = 0.0, hu = 1.0, hv = 1.0;
   const std::size_t a = u_.locate(uv.x(), s, hu), b = v_.locate(uv.y(), r, hv);
   const auto nu = static_cast<std::size_t>(u_.degree) + 1, nv = static_cast<std::size_t>(v_.degree) + 1;
-  const Eigen::Vector4d* c = coefficients_.data() + (a * (v_.knots.size() - 1) + b) * nu * nv;
+  const std::size_t span = a * (v_.knots.size() - 1) + b;
+  const Eigen::Vector4d* c = coefficients_.data() + span * nu * nv;
   Row at, along_v, along_vv;
   for (std::size_t k = nu; k-- > 0;) {
     Row row;
@@ -126,7 +146,8 @@ SurfaceJet SplineSpans::evaluate(const Vec2& uv, int derivatives) const {
   const double w = at.value[3];
   SurfaceJet jet;
   const auto head = [](const Eigen::Vector4d& x) { return Vec3(x.head<3>()); };
-  jet.p = rational_ ? Vec3(head(at.value) / w) : head(at.value);
+  const Vec3 p = rational_ ? Vec3(head(at.value) / w) : head(at.value);
+  jet.p = p + centres_[span];
   if (derivatives == 0) return jet;
   const Eigen::Vector4d u1 = at.first / hu, v1 = along_v.value / hv;
   if (!rational_) {
@@ -138,14 +159,14 @@ SurfaceJet SplineSpans::evaluate(const Vec2& uv, int derivatives) const {
     jet.dvv = head(along_vv.value) * (2.0 / (hv * hv));
     return jet;
   }
-  jet.du = (head(u1) - u1[3] * jet.p) / w;
-  jet.dv = (head(v1) - v1[3] * jet.p) / w;
+  jet.du = (head(u1) - u1[3] * p) / w;
+  jet.dv = (head(v1) - v1[3] * p) / w;
   if (derivatives < 2) return jet;
   const Eigen::Vector4d uu = at.second * (2.0 / (hu * hu)), mixed = along_v.first / (hu * hv),
                         vv = along_vv.value * (2.0 / (hv * hv));
-  jet.duu = (head(uu) - 2.0 * u1[3] * jet.du - uu[3] * jet.p) / w;
-  jet.duv = (head(mixed) - u1[3] * jet.dv - v1[3] * jet.du - mixed[3] * jet.p) / w;
-  jet.dvv = (head(vv) - 2.0 * v1[3] * jet.dv - vv[3] * jet.p) / w;
+  jet.duu = (head(uu) - 2.0 * u1[3] * jet.du - uu[3] * p) / w;
+  jet.duv = (head(mixed) - u1[3] * jet.dv - v1[3] * jet.du - mixed[3] * p) / w;
+  jet.dvv = (head(vv) - 2.0 * v1[3] * jet.dv - vv[3] * p) / w;
   return jet;
 }
 

@@ -30,6 +30,7 @@ class SplineSpans {
 
   Axis u_, v_;
   bool rational_ = false;
+  std::vector<Vec3> centres_;                  ///< by u span, v span: coordinates are relative to it
   std::vector<Eigen::Vector4d> coefficients_;  ///< by u span, v span, power of u, power of v
 };
 
