@@ -77,7 +77,32 @@ class Ellipse final : public Curve {
   [[nodiscard]] double into_range(double t, const Vec3& p, double hint) const {
     const double w = wrap_angle_near(t, t0_, hint);
     if (w <= t1_) return w;
+    if (a_ != b_) return nearest_on_arc(p);
     return (point(t0_) - p).squaredNorm() <= (point(t1_) - p).squaredNorm() ? t0_ : t1_;
+  }
+
+  /// The nearest of the arc when the whole ellipse's foot is off it: an end, or a lesser minimum between
+  /// samples, where the distance's slope is bisected.
+  [[nodiscard]] double nearest_on_arc(const Vec3& p) const {
+    constexpr int kSteps = 32;
+    const auto at = [&](int i) { return i == kSteps ? t1_ : t0_ + (t1_ - t0_) * i / kSteps; };
+    const auto slope = [&](double t) { return (point(t) - p).dot(derivative(t)); };
+    int best = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = 0; i <= kSteps; ++i) {
+      const double d2 = (point(at(i)) - p).squaredNorm();
+      if (d2 >= least) continue;
+      least = d2;
+      best = i;
+    }
+    double lo = at(std::max(best - 1, 0)), hi = at(std::min(best + 1, kSteps));
+    if (best == 0 && slope(lo) >= 0.0) return lo;
+    if (best == kSteps && slope(hi) <= 0.0) return hi;
+    for (int i = 0; i < 60; ++i) {
+      const double middle = 0.5 * (lo + hi);
+      (slope(middle) < 0.0 ? lo : hi) = middle;
+    }
+    return 0.5 * (lo + hi);
   }
 
   /// Foot of (x, y) on the whole ellipse: in the first quadrant the distance's derivative has one root,

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The facet hierarchy against brute force.
+#include "geom/facet_bvh.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "tests/geom/sample_models.h"
+
+namespace octet {
+namespace {
+
+using test::Dice;
+
+TEST(FacetBvh, NearestIsTheNearestOfAllTriangles) {
+  for (const auto& s : test::all_samples(test::tilted_frame(), 0.05)) {
+    const Facets& f = s.model.facets();
+    Dice dice(1);
+    for (int i = 0; i < 200; ++i) {
+      const Vec3 p = dice.in(s.model.box().grown(0.5));
+      for (int face = 0; face <= s.model.count(2); ++face) {
+        double best = 1e9;
+        for (std::size_t t = 0; t < f.triangles.size(); ++t) {
+          if (face != 0 && f.face[t] != face) continue;
+          const auto& n = f.triangles[t];
+          best = std::min(best, closest_on_triangle(p, f.nodes[n[0]], f.nodes[n[1]], f.nodes[n[2]]).distance);
+        }
+        const auto near = s.model.bvh().nearest(p, 1e9, face);
+        ASSERT_TRUE(near.has_value());
+        ASSERT_NEAR(near->distance, best, 1e-12) << s.name;
+        ASSERT_FALSE(s.model.bvh().nearest(p, 0.999 * best, face).has_value());
+      }
+    }
+  }
+}
+
+TEST(FacetBvh, VisitWithinFindsAllThatAreNear) {
+  for (const auto& s : test::all_samples({}, 0.05)) {
+    const Facets& f = s.model.facets();
+    Dice dice(2);
+    for (int i = 0; i < 100; ++i) {
+      const Vec3 p = dice.in(s.model.box());
+      const double radius = dice(0.0, 1.0);
+      std::set<std::uint32_t> found, expected;
+      s.model.bvh().visit_within(p, radius, 0, [&](const FacetFoot& foot) { found.insert(foot.triangle); });
+      for (std::uint32_t t = 0; t < f.triangles.size(); ++t) {
+        const auto& n = f.triangles[t];
+        const double d = closest_on_triangle(p, f.nodes[n[0]], f.nodes[n[1]], f.nodes[n[2]]).distance;
+        if (d <= radius + s.model.bvh().grow(t)) expected.insert(t);
+      }
+      ASSERT_EQ(found, expected) << s.name;
+    }
+  }
+}
+
+TEST(FacetBvh, SegmentVisitsEveryTriangleThatItPierces) {
+  for (const auto& s : test::all_samples(test::tilted_frame(), 0.05)) {
+    const Facets& f = s.model.facets();
+    Dice dice(3);
+    int pierced = 0;
+    for (int i = 0; i < 300; ++i) {
+      const Vec3 p = dice.in(s.model.box()), q = dice.in(s.model.box());
+      std::set<std::uint32_t> visited;
+      s.model.bvh().visit_segment(p, q, [&](std::uint32_t t) { visited.insert(t); });
+      for (std::uint32_t t = 0; t < f.triangles.size(); ++t) {
+        const auto& n = f.triangles[t];
+        const Vec3 &a = f.nodes[n[0]], &b = f.nodes[n[1]], &c = f.nodes[n[2]];
+        const Vec3 normal = (b - a).cross(c - a);
+        const double hp = normal.dot(p - a), hq = normal.dot(q - a);
+        if (hp * hq >= 0.0) continue;
+        const Vec3 x = p + hp / (hp - hq) * (q - p);
+        if (closest_on_triangle(x, a, b, c).distance > 1e-12) continue;
+        ASSERT_TRUE(visited.count(t)) << s.name;
+        ++pierced;
+      }
+    }
+    EXPECT_GT(pierced, 50) << s.name;
+  }
+}
+
+TEST(FacetBvh, DegenerateTrianglesAreSegments) {
+  const Vec3 a(0, 0, 0), b(2, 0, 0);
+  const FacetFoot foot = closest_on_triangle(Vec3(0.5, 1, 0), a, b, b);
+  EXPECT_NEAR(foot.distance, 1.0, 1e-15);
+  EXPECT_LT((foot.point - Vec3(0.5, 0, 0)).norm(), 1e-15);
+  EXPECT_NEAR(closest_on_triangle(Vec3(3, 0, 0), a, b, b).distance, 1.0, 1e-15);
+}
+
+}  // namespace
+}  // namespace octet
