@@ -185,7 +185,8 @@ Claim claim_edge_length(const ClaimInput& in) {
     if (edge.use != EdgeUse::kReal) continue;
     double slack = kExact * edge.length + 2.0 * (edge.tolerance + in.model.tolerance());
     // The chain ends in the vertices, which may lie off the curve's ends.
-    for (const int v : edge.vertex) slack += in.model.vertex(v).tolerance;
+    for (const int v : edge.vertex)
+      if (v > 0) slack += in.model.vertex(v).tolerance;
     for (const std::uint32_t e : in.pieces_on[tag])
       for (const Mesh::Index v : in.mesh.edges[e])
         slack += std::min(in.node_foot[v].distance, in.allowed_distance(in.mesh.point_on[v]));
