@@ -19,7 +19,7 @@ namespace octet {
 struct MeshOptions {
   double size = 0.0;      ///< edge length asked for, model units (millimetre); 0: chosen from the part
   double min_size = 0.0;  ///< local refinement stops here; 0: size / 32
-  double curvature_angle = 0.785;         ///< radians of turning per element; 0: off
+  double curvature_angle = 0.5;         ///< radians of turning per element; 0: off
   std::size_t max_elements = 20'000'000;  ///< LimitError when more would be needed
   int threads = 1;                        ///< same bytes for any number
   bool finalize = true;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include "app/attribute_points.h"
 #include "app/interior.h"
@@ -21,6 +22,8 @@ namespace {
 
 /// The most levels of local refinement below the size asked for, when no smallest size is given.
 constexpr double kFinestShare = 1.0 / 32.0;
+/// The same for curvature alone.
+constexpr double kFinestCurvedShare = 1.0 / 11.0;
 
 class Run {
  public:
@@ -76,13 +79,7 @@ class Run {
 
   void build_tree() {
     begin("octree", 0.0);
-    SizingOptions sizing;
-    sizing.size = size_;
-    sizing.min_size = options_.min_size > 0.0 ? options_.min_size : kFinestShare * size_;
-    sizing.curvature_angle = options_.curvature_angle;
-    std::vector<SizeSample> samples = feature_sizes(model_, sizing);
-    // Octants come in powers of two: a wish is met to the nearest one, not to the next smaller.
-    for (SizeSample& sample : samples) sample.size *= M_SQRT2;
+    const std::vector<SizeSample> samples = size_samples();
     OctreeRequest request;
     request.size = size_;
     tree_ = std::make_unique<Octree>(build_octree(model_, request, samples));
@@ -94,6 +91,28 @@ class Run {
     cuts_ = cut_octant_edges(model_, *tree_, vertices_, types);
     labels_ = label_vertices(model_, *tree_, vertices_, types, cuts_);
     for (const Fault& fault : labels_.conflicts) observer_.note("parity: " + fault.cause);
+  }
+
+  /// The part's own wishes: short edges and gaps are resolved down to the finest size, curvature alone not so
+  /// far, since a small fillet is well served by elements of its own width.
+  [[nodiscard]] std::vector<SizeSample> size_samples() const {
+    SizingOptions gaps;
+    gaps.size = size_;
+    gaps.min_size = options_.min_size > 0.0 ? options_.min_size : kFinestShare * size_;
+    gaps.curvature_angle = 0.0;
+    std::vector<SizeSample> samples = feature_sizes(model_, gaps);
+    if (options_.curvature_angle > 0.0) {
+      SizingOptions curvature = gaps;
+      curvature.min_size = std::max(gaps.min_size, kFinestCurvedShare * size_);
+      curvature.curvature_angle = options_.curvature_angle;
+      curvature.edge_share = std::numeric_limits<double>::infinity();
+      curvature.gap_share = 0.0;
+      const std::vector<SizeSample> curved = feature_sizes(model_, curvature);
+      samples.insert(samples.end(), curved.begin(), curved.end());
+    }
+    // Octants come in powers of two: a wish is met to the nearest one, not to the next smaller.
+    for (SizeSample& sample : samples) sample.size *= M_SQRT2;
+    return samples;
   }
 
   void place_points() {
