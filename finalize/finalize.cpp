@@ -49,11 +49,13 @@ void count_left(Workshop& shop) {
 /// Works on what is below the target until nothing gives.
 void chase(Workshop& shop, double target, double polish, Observer& observer) {
   forget_failures(shop);
+  shop.thorough = true;
   for (int pass = 0; pass < kPasses; ++pass) {
     const std::size_t done = improve_worst_first(shop, target, Effort::kFull, observer);
     if (pass > 0 && done == 0) break;
     relax_around(shop, target, polish);
   }
+  shop.thorough = false;
 }
 
 }  // namespace

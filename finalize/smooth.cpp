@@ -81,14 +81,19 @@ void constrain(const Workshop& shop, const LocalStar& star, const Stand& stand,
   }
 }
 
+/// Whether each place of the vertex costs a projection on a curved face.
+bool projects_dearly(const Workshop& shop, const LocalStar& star) {
+  return star.on.dim == 2 && !shop.guard.planar(star.on.tag);
+}
+
 /// Shape with the vertex at `wish`, brought onto its entity; -1 where it cannot stand or is not above
 /// `floor`.
 double probe(Workshop& shop, const LocalStar& star, const Stand& from, const Vec3& wish, double floor,
              Stand& stand) {
   // The foot on a curved face is near to the wish: where that is far from good enough, spare the projection.
-  const bool costly = star.on.dim == 2 && !shop.guard.planar(star.on.tag);
   constexpr double kHopeless = 0.7;
-  if (costly && star_shape(shop, star, wish, kHopeless * floor) <= kHopeless * floor) return -1.0;
+  if (projects_dearly(shop, star) && star_shape(shop, star, wish, kHopeless * floor) <= kHopeless * floor)
+    return -1.0;
   if (!take_stand(shop, star, from, wish, stand)) return -1.0;
   const double value = star_shape(shop, star, stand.point, floor);
   if (value <= floor || !take_seats(shop, star, from, stand) || !triangles_fit(shop, star, stand))
@@ -96,21 +101,41 @@ double probe(Workshop& shop, const LocalStar& star, const Stand& from, const Vec
   return value;
 }
 
-/// Golden section along the line between 0 and `reach`, keeping the best place seen.
+/// Half the curvature vector of the face in the direction, from how the normals turn towards the rim; zero
+/// where projections are cheap.
+Vec3 bend_along(const Workshop& shop, const LocalStar& star, const Stand& stand, const Vec3& direction) {
+  if (!projects_dearly(shop, star)) return Vec3::Zero();
+  const Vec3& normal = stand.seats[0].second.normal;
+  double sum = 0.0, weights = 0.0;
+  for (std::size_t i = 0; i < star.rims.size(); ++i) {
+    const Vec3 chord = star.rims[i][0] - stand.point;
+    const double length = chord.squaredNorm();
+    if (length == 0.0 || star.normals[i][0].isZero()) continue;
+    const double weight = chord.dot(direction) * chord.dot(direction) / length;
+    sum -= weight * (star.normals[i][0] - normal).dot(chord) / length;
+    weights += weight;
+  }
+  return weights > 0.0 ? Vec3(0.5 * sum / weights * normal) : Vec3(Vec3::Zero());
+}
+
+/// Golden section along the line between 0 and `reach`; on a curved face along its osculating parabola, so
+/// that only the place found is projected. Leaves the best place in `stand` and returns its shape.
 double search_line(Workshop& shop, const LocalStar& star, const Vec3& direction, double worst, double reach,
                    Stand& stand) {
   constexpr double kGolden = 0.6180339887498949;
   const Stand from = stand;
+  const Vec3 bend = bend_along(shop, star, from, direction);
+  const bool dear = projects_dearly(shop, star) && !shop.thorough;
+  const auto wish = [&](double s) -> Vec3 { return from.point + s * direction + s * s * bend; };
   Stand trial;
   double best = worst;
   const auto at = [&](double s) {
-    const double value = probe(shop, star, from, from.point + s * direction, best, trial);
-    if (value > best) {
-      best = value;
-      stand = trial;
-      return true;
-    }
-    return false;
+    const double value =
+        dear ? star_shape(shop, star, wish(s), best) : probe(shop, star, from, wish(s), best, trial);
+    if (value <= best) return false;
+    best = value;
+    if (!dear) stand = trial;
+    return true;
   };
   double s = reach;
   int halvings = 0;
@@ -129,7 +154,14 @@ double search_line(Workshop& shop, const LocalStar& star, const Vec3& direction,
       (right ? hi : lo) = next;
     }
   }
-  return best;
+  if (!dear) return best;
+  for (const double share : {1.0, 0.5}) {
+    const double value = probe(shop, star, from, wish(share * peak), worst, trial);
+    if (value <= worst) continue;
+    stand = trial;
+    return value;
+  }
+  return worst;
 }
 
 /// The average of the neighbours that the vertex may move towards: all of them inside a region, those on the

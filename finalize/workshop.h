@@ -20,6 +20,7 @@ struct Workshop {
   const FinalizeOptions& options;
   BoundaryGuard guard;
   FinalizeReport report;
+  bool thorough = false;    ///< project every place tried, also where projections are dear
   std::uint64_t work = 0;   ///< evaluations of `shape`, the unit of the work budget
   std::vector<TetId> made;  ///< tetrahedra made or changed by the last operator that succeeded
 
