@@ -103,8 +103,6 @@ def judge_part(args, part, mesh):
         "vertices": vertices["missing"] - vertices["missing_artificial"],
     }
     missing = [f"{n} {name}" for name, n in lacks.items() if n]
-    if abs(report["volume_error"]) > 0.1:
-        missing.append(f"volume {100 * report['volume_error']:+.2g} %")
     return ("lacks " + ", ".join(missing)) if missing else "ok"
 
 
