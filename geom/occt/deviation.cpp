@@ -28,11 +28,17 @@ double distance_to_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const V
   return std::min({distance_to_segment(p, a, b), distance_to_segment(p, b, c), distance_to_segment(p, c, a)});
 }
 
-/// Distance of the surface from one facet, at the centre and the middles of the sides.
+/// Distance of the surface from one facet, at its centre, the middles of its sides and between.
 double facet_deviation(const Surface& surface, const std::array<Vec2, 3>& uv, const Vec3& a, const Vec3& b,
                        const Vec3& c, bool at_pole) {
-  const std::array<Vec2, 4> samples = {Vec2((uv[0] + uv[1] + uv[2]) / 3.0), Vec2(0.5 * (uv[0] + uv[1])),
-                                       Vec2(0.5 * (uv[1] + uv[2])), Vec2(0.5 * (uv[2] + uv[0]))};
+  const Vec2 centre = (uv[0] + uv[1] + uv[2]) / 3.0;
+  const std::array<Vec2, 7> samples = {centre,
+                                       Vec2(0.5 * (uv[0] + uv[1])),
+                                       Vec2(0.5 * (uv[1] + uv[2])),
+                                       Vec2(0.5 * (uv[2] + uv[0])),
+                                       Vec2(0.5 * (centre + uv[0])),
+                                       Vec2(0.5 * (centre + uv[1])),
+                                       Vec2(0.5 * (centre + uv[2]))};
   // Next to a pole the middle of the (u,v) triangle is not the middle of the facet.
   if (at_pole) {
     const SurfaceFoot foot = surface.project((a + b + c) / 3.0, samples[0]);

@@ -11,6 +11,7 @@
 #include <TopExp_Explorer.hxx>
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "base/error.h"
 #include "geom/occt/canonical.h"
@@ -19,9 +20,10 @@
 namespace octet {
 namespace {
 
-constexpr int kGapSamples = 24;
+constexpr int kGapSamples = 24;       // of closed forms
+constexpr int kFreeGapSamples = 100;  // where the gap may swing with the knots
 /// Measured gaps are maxima over samples; the true one is a little larger.
-constexpr double kGapShare = 1.1;
+constexpr double kGapShare = 1.2;
 
 double diagonal_of(const ModelParts& parts) {
   Box3 box;
@@ -40,9 +42,12 @@ double gap_on_face(const TopoDS_Edge& edge, const TopoDS_Face& face, const Surfa
   double a = 0.0, b = 0.0;
   const auto pcurve = BRep_Tool::CurveOnSurface(edge, TopoDS::Face(face.Oriented(TopAbs_FORWARD)), a, b);
   if (pcurve.IsNull()) return 0.0;
+  const bool closed_form =
+      std::string_view(surface.kind()) == "plane" && std::string_view(curve.kind()) == "line";
+  const int samples = closed_form ? kGapSamples : kFreeGapSamples;
   double gap = 0.0;
-  for (int i = 0; i <= kGapSamples; ++i) {
-    const double share = static_cast<double>(i) / kGapSamples;
+  for (int i = 0; i <= samples; ++i) {
+    const double share = static_cast<double>(i) / samples;
     const gp_Pnt2d uv = pcurve->Value(a + share * (b - a));
     const Vec3 on_face = surface.evaluate({uv.X(), uv.Y()}, 0).p;
     gap = std::max(gap, (on_face - curve.point(range.t0 + share * (range.t1 - range.t0))).norm());

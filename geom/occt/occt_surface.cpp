@@ -131,6 +131,8 @@ class OcctSurface final : public Surface {
  private:
   void set_range(const UvCell& face_cell);
   [[nodiscard]] Vec2 into_range(Vec2 uv) const;
+  [[nodiscard]] bool is_foot(const SurfaceJet& jet, const Vec3& r, const Vec2& uv, double small) const;
+  [[nodiscard]] SurfaceFoot descend(const Vec3& p, const Vec2& start, double small) const;
   [[nodiscard]] Vec2 newton_step(const SurfaceJet& jet, const Vec3& r, const Vec2& uv, double damping) const;
 
   Handle(Geom_Surface) surface_;
@@ -199,14 +201,23 @@ Vec2 OcctSurface::newton_step(const SurfaceJet& jet, const Vec3& r, const Vec2& 
   return {(-g.x() * c + g.y() * b) / det, (-g.y() * a + g.x() * b) / det};
 }
 
-SurfaceFoot OcctSurface::project(const Vec3& p, const Vec2& seed) const {
-  const double small = 1e-14 * (tree_->box().diagonal() + p.cwiseAbs().maxCoeff());
-  Vec2 uv = into_range(seed);
+/// Whether no direction within the range leads nearer.
+bool OcctSurface::is_foot(const SurfaceJet& jet, const Vec3& r, const Vec2& uv, double small) const {
+  const double allowed = 1e-7 * r.norm() + 64.0 * small;
+  const auto idle = [&](int i, const Vec3& along) {
+    const double g = r.dot(along), length = along.norm();
+    if (length == 0.0 || std::abs(g) <= allowed * length) return true;
+    return !closed_[i] && ((uv[i] <= range_.lo[i] && g > 0.0) || (uv[i] >= range_.hi[i] && g < 0.0));
+  };
+  return idle(0, jet.du) && idle(1, jet.dv);
+}
+
+SurfaceFoot OcctSurface::descend(const Vec3& p, const Vec2& start, double small) const {
+  Vec2 uv = into_range(start);
   SurfaceJet jet = evaluate(uv, 2);
   double value = (jet.p - p).squaredNorm();
   double damping = 0.0;
-  bool converged = false;
-  for (int iteration = 0; iteration < 40 && !converged; ++iteration) {
+  for (int iteration = 0; iteration < 40; ++iteration) {
     const Vec3 r = jet.p - p;
     const Vec2 next = into_range(uv + newton_step(jet, r, uv, damping));
     const SurfaceJet there = evaluate(next, 2);
@@ -215,18 +226,27 @@ SurfaceFoot OcctSurface::project(const Vec3& p, const Vec2& seed) const {
     // A step that no longer gains because of rounding is the end, not a failure.
     const double noise = 4.0 * small * (std::sqrt(value) + small);
     if (value_there > value + noise) {
-      converged = moved <= 16.0 * small;
+      if (moved <= 16.0 * small || damping > 1e8) break;
       damping = damping == 0.0 ? 0.5 : 4.0 * damping;
-      if (damping > 1e8) break;
       continue;
     }
-    converged = moved <= 16.0 * small && damping <= 1.0;
     damping = damping < 0.1 ? 0.0 : 0.2 * damping;
     uv = next;
     jet = there;
     value = value_there;
+    if (moved <= 16.0 * small && damping <= 1.0) break;
   }
-  return {uv, jet.p, converged};
+  return {uv, jet.p, is_foot(jet, jet.p - p, uv, small)};
+}
+
+SurfaceFoot OcctSurface::project(const Vec3& p, const Vec2& seed) const {
+  const double small = 1e-14 * (tree_->box().diagonal() + p.cwiseAbs().maxCoeff());
+  const SurfaceFoot foot = descend(p, seed, small);
+  if (foot.converged) return foot;
+  // Stuck at a crease or a pole: once more from the nearest patch.
+  const SurfaceFoot other = descend(p, tree_->near(p), small);
+  const bool nearer = (other.point - p).squaredNorm() < (foot.point - p).squaredNorm();
+  return nearer ? other : foot;
 }
 
 Vec3 OcctSurface::normal(const Vec2& uv) const {

@@ -137,6 +137,18 @@ void PatchTree::intersect(const Vec3& p, const Vec3& q, std::vector<SurfaceRoot>
   for (const SurfaceRoot& root : found) add(segment, root, roots, first);
 }
 
+Vec2 PatchTree::near(const Vec3& p) const {
+  const Patch* best = &leaves_.front();
+  auto best_distance = std::make_pair(std::numeric_limits<double>::infinity(), 0.0);
+  for (const Patch& leaf : leaves_) {
+    const auto distance = std::make_pair(leaf.box.squared_distance(p), (leaf.box.centre() - p).squaredNorm());
+    if (!(distance < best_distance)) continue;
+    best_distance = distance;
+    best = &leaf;
+  }
+  return best->cell.centre();
+}
+
 void PatchTree::solve(const Segment& segment, const Patch& leaf, std::vector<SurfaceRoot>& roots) const {
   if (is_unique(segment, leaf, leaf.cell)) {
     SurfaceRoot root;

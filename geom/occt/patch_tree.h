@@ -33,6 +33,10 @@ class PatchTree {
   /// same direction are one; a root that touches is `tangent`.
   void intersect(const Vec3& p, const Vec3& q, std::vector<SurfaceRoot>& roots) const;
 
+  /// Middle of the leaf nearest to p, by its box, then by its middle: a start for a foot point. Cost: all
+  /// leaves.
+  [[nodiscard]] Vec2 near(const Vec3& p) const;
+
   /// Box of the whole surface.
   [[nodiscard]] const Box3& box() const { return nodes_.front().box; }
   [[nodiscard]] std::size_t leaf_count() const { return leaves_.size(); }

@@ -14,6 +14,7 @@
 #include <TopoDS_Compound.hxx>
 #include <algorithm>
 #include <map>
+#include <optional>
 
 #include "base/error.h"
 #include "geom/occt/canonical.h"
@@ -171,6 +172,16 @@ void require_closed(int region, const ModelParts& parts) {
   }
 }
 
+/// One attempt; throws where the mesher leaves a hole.
+void weld(const Numbering& numbering, double deflection, ModelParts& parts) {
+  parts.facets = {};
+  run_mesher(numbering, deflection);
+  Welder welder(numbering, parts);
+  for (int tag = 1; tag <= numbering.count(2); ++tag) welder.add_face(tag);
+  for (int region = 1; region <= numbering.count(3); ++region) require_closed(region, parts);
+  measure_deviation(welder.chain_parameters(), parts);
+}
+
 }  // namespace
 
 void tessellate(const Numbering& numbering, double deflection, ModelParts& parts) {
@@ -181,11 +192,19 @@ void tessellate(const Numbering& numbering, double deflection, ModelParts& parts
       for (int i = 1; i < 8; ++i)
         box.add(
             parts.curves[e]->point(parts.edges[e].t0 + i / 8.0 * (parts.edges[e].t1 - parts.edges[e].t0)));
-  run_mesher(numbering, deflection > 0.0 ? deflection : kDeflectionShare * box.diagonal());
-  Welder welder(numbering, parts);
-  for (int tag = 1; tag <= numbering.count(2); ++tag) welder.add_face(tag);
-  for (int region = 1; region <= numbering.count(3); ++region) require_closed(region, parts);
-  measure_deviation(welder.chain_parameters(), parts);
+  if (deflection <= 0.0) deflection = kDeflectionShare * box.diagonal();
+  // The mesher now and then loses a face or a piece of one where loops nearly touch; another spacing of the
+  // nodes along the edges then often succeeds.
+  std::optional<ModelError> first;
+  for (const double share : {1.0, 0.4, 0.15, 2.3}) {
+    try {
+      weld(numbering, share * deflection, parts);
+      return;
+    } catch (const ModelError& error) {
+      if (!first) first = error;
+    }
+  }
+  throw ModelError(*first);
 }
 
 }  // namespace octet

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "geom/model_check.h"
 #include "sample_parts.h"
 
 namespace octet::test {
@@ -132,6 +133,10 @@ TEST(Topology, TheFaceLiesToTheLeftOfItsBoundary) {
             << name << " face " << tag << " edge " << side.edge;
       }
   }
+}
+
+TEST(Topology, EverySampleKeepsTheInvariantsOfAModel) {
+  for (const char* name : kSamples) EXPECT_EQ(check_model(sample(name)), "") << name;
 }
 
 TEST(Topology, TolerancesAreMeasured) {
