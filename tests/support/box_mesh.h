@@ -76,7 +76,7 @@ inline void add_boundary(Mesh& mesh, const BoxPart& part) {
     for (int k = 0; k < 3; ++k) faces[std::minmax(v[k], v[(k + 1) % 3])].push_back(ref.tag);
   }
   for (auto& [key, on] : faces) {
-    if (std::all_of(on.begin(), on.end(), [&](std::int32_t tag) { return tag == on[0]; })) continue;
+    if (std::count(on.begin(), on.end(), on[0]) == static_cast<std::ptrdiff_t>(on.size())) continue;
     auto [a, b] = key;
     const Vec3 centre = 0.5 * (at(a) + at(b));
     const ModelRef ref = part.on(centre);
