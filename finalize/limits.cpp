@@ -52,6 +52,24 @@ bool at_sharp_edge(Workshop& shop, TetId t) {
   return false;
 }
 
+/// Whether two model edges leave a corner of t along edges of t at a small angle (a tangent arc and its
+/// line).
+bool at_sharp_corner(Workshop& shop, TetId t) {
+  const WorkMesh& mesh = shop.mesh;
+  const auto& v = mesh.tets[t];
+  for (int i = 0; i < 4; ++i) {
+    if (mesh.on[v[i]].dim != 0) continue;
+    for (int j = 0; j < 4; ++j) {
+      for (int k = j + 1; k < 4; ++k) {
+        if (j == i || k == i || piece_on(mesh, v[i], v[j]) == 0 || piece_on(mesh, v[i], v[k]) == 0) continue;
+        const Vec3 a = mesh.points[v[j]] - mesh.points[v[i]], b = mesh.points[v[k]] - mesh.points[v[i]];
+        if (std::atan2(a.cross(b).norm(), a.dot(b)) < 2.0 * shop.options.target_dihedral) return true;
+      }
+    }
+  }
+  return false;
+}
+
 /// Whether the boundary is met again within `reach`, straight through the region from the middle of face
 /// `face` of t, which lies on a model face.
 bool wall_within(const Workshop& shop, TetId t, int face, double reach) {
@@ -88,6 +106,8 @@ bool in_thin_wall(Workshop& shop, TetId t) {
 
 }  // namespace
 
-bool limited_by_geometry(Workshop& shop, TetId t) { return at_sharp_edge(shop, t) || in_thin_wall(shop, t); }
+bool limited_by_geometry(Workshop& shop, TetId t) {
+  return at_sharp_edge(shop, t) || at_sharp_corner(shop, t) || in_thin_wall(shop, t);
+}
 
 }  // namespace octet
