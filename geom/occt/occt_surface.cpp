@@ -130,6 +130,7 @@ class OcctSurface final : public Surface {
 
  private:
   void set_range(const UvCell& face_cell);
+  [[nodiscard]] bool is_collapsed(int axis, double value) const;
   [[nodiscard]] Vec2 into_range(Vec2 uv) const;
   [[nodiscard]] bool is_foot(const SurfaceJet& jet, const Vec3& r, const Vec2& uv, double small) const;
   [[nodiscard]] SurfaceFoot descend(const Vec3& p, const Vec2& start, double small) const;
@@ -157,9 +158,26 @@ void OcctSurface::set_range(const UvCell& face_cell) {
     range_.lo[i] -= kMargin * asked;
     range_.hi[i] += kMargin * asked;
     if (periodic[i]) continue;
-    range_.lo[i] = std::max(range_.lo[i], std::min(lo[i], face_cell.lo[i]));
-    range_.hi[i] = std::min(range_.hi[i], std::max(hi[i], face_cell.hi[i]));
+    // Loops may run somewhat beyond a spline's own bounds: its polynomials go on there, but not across a
+    // pole.
+    if (!spans_ || is_collapsed(i, lo[i]))
+      range_.lo[i] = std::max(range_.lo[i], std::min(lo[i], face_cell.lo[i]));
+    if (!spans_ || is_collapsed(i, hi[i]))
+      range_.hi[i] = std::min(range_.hi[i], std::max(hi[i], face_cell.hi[i]));
   }
+}
+
+/// Whether the border at this value of one parameter is a single point.
+bool OcctSurface::is_collapsed(int axis, double value) const {
+  Box3 border, inside;
+  for (int k = 0; k <= 4; ++k) {
+    Vec2 uv = range_.lo + 0.25 * k * range_.size();
+    uv[axis] = value;
+    border.add(evaluate(uv, 0).p);
+    uv[axis] = range_.centre()[axis];
+    inside.add(evaluate(uv, 0).p);
+  }
+  return border.diagonal() < 1e-3 * inside.diagonal();
 }
 
 Vec2 OcctSurface::into_range(Vec2 uv) const {
