@@ -24,7 +24,9 @@ double radius_through(const Vec3& a, const Vec3& axis, const Vec3& b) {
 
 /// Emptiness of the ball is known to rounding, so the place of b only to its square root. Feet on b's own
 /// face or edge go on from there: each step squares the error, since b moves along the ball.
-void polish(const Model& model, const Vec3& a, const Vec3& axis, double radius, Foot& b) {
+void polish(const Model& model, const Vec3& a, const Vec3& axis, double radius, double slack, Foot& b) {
+  // A foot that moves more than the error of b can be is another one.
+  const double far = 4.0 * std::sqrt((slack + 1e-12 * radius) * radius);
   constexpr int kSteps = 4;
   double t = b.on.dim == 1 ? model.edge_closest(b.on.tag, b.point).t : 0.0;
   for (int i = 0; i < kSteps && b.on.dim > 0; ++i) {
@@ -34,14 +36,14 @@ void polish(const Model& model, const Vec3& a, const Vec3& axis, double radius, 
       const FaceFoot foot = model.face_project(b.on.tag, centre, b.uv);
       if (!foot.converged) return;
       next = foot.point;
-      if ((next - b.point).norm() > 0.01 * radius) return;
+      if ((next - b.point).norm() > far) return;
       b.uv = foot.uv;
       b.normal = foot.normal;
     } else {
       const EdgeFoot foot = model.edge_project(b.on.tag, centre, t);
       t = foot.t;
       next = foot.point;
-      if ((next - b.point).norm() > 0.01 * radius) return;
+      if ((next - b.point).norm() > far) return;
     }
     const double moved = (next - b.point).norm();
     b.point = next;
@@ -78,7 +80,7 @@ std::optional<Foot> opposite_point(const Model& model, const Vec3& a, int face_o
   const double least =
       partner->face == face_of_a && partner->on.dim == 2 ? kNeighbourSameFace : kNeighbourOther;
   if (apart < least * 2.0 * radius) return std::nullopt;
-  polish(model, a, axis, radius, *partner);
+  polish(model, a, axis, radius, slack, *partner);
   partner->distance = (partner->point - a).norm();
   return partner;
 }
