@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The first point set: where points lie, how far apart they are, and that thin sheets get matched pairs.
+#include "octree/seeds.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "geom/analytic.h"
+
+namespace octet {
+namespace {
+
+struct Stage {
+  Octree tree;
+  OctreeVertices vertices;
+  OctreeLabels labels;
+  Seeds seeds;
+};
+
+Stage seed(const Model& model, double size) {
+  OctreeRequest request;
+  request.size = size;
+  Octree tree = build_octree(model, request, {});
+  OctreeVertices vertices = octree_vertices(tree);
+  const OctantTypes types = octant_types(model, tree);
+  const std::vector<OctantEdgeCut> cuts = cut_octant_edges(model, tree, vertices, types);
+  OctreeLabels labels = label_vertices(model, tree, vertices, types, cuts);
+  Seeds seeds = seed_points(model, tree, vertices, labels, cuts, size);
+  return {std::move(tree), std::move(vertices), std::move(labels), std::move(seeds)};
+}
+
+Frame oblique() {
+  Frame frame;
+  frame.origin = Vec3(0.3, -0.2, 0.7);
+  frame.axes = (Eigen::AngleAxisd(0.4, Vec3::UnitX()) * Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()))
+                   .toRotationMatrix();
+  return frame;
+}
+
+TEST(Seeds, EveryModelVertexIsAPoint) {
+  const Model model = analytic_two_boxes(Vec3(1, 1, 1), {oblique(), 1e-3});
+  const Stage stage = seed(model, 0.3);
+  for (int v = 1; v <= model.count(0); ++v) {
+    const std::uint32_t n = stage.seeds.model_vertex[v];
+    EXPECT_EQ(stage.seeds.points.on[n], model_vertex(v));
+    EXPECT_EQ((stage.seeds.points.position[n] - model.vertex(v).point).norm(), 0.0);
+  }
+}
+
+TEST(Seeds, EveryRealEdgeIsOneChainInTheOrderOfItsParameter) {
+  const Model model = analytic_cylinder(1.0, 2.0, {oblique(), 1e-3});
+  const Stage stage = seed(model, 0.3);
+  std::vector<const EdgePiece*> last(static_cast<std::size_t>(model.count(1)) + 1, nullptr);
+  for (const EdgePiece& piece : stage.seeds.pieces) {
+    const ModelEdge& edge = model.edge(piece.edge);
+    ASSERT_EQ(edge.use, EdgeUse::kReal);
+    EXPECT_LT(piece.ta, piece.tb);
+    if (last[piece.edge] == nullptr) {
+      EXPECT_EQ(piece.a, stage.seeds.model_vertex[edge.vertex[0]]);
+      EXPECT_EQ(piece.ta, edge.t0);
+    } else {
+      EXPECT_EQ(piece.a, last[piece.edge]->b);
+      EXPECT_EQ(piece.ta, last[piece.edge]->tb);
+    }
+    last[piece.edge] = &piece;
+  }
+  for (int e = 1; e <= model.count(1); ++e) {
+    const ModelEdge& edge = model.edge(e);
+    ASSERT_EQ(last[e] != nullptr, edge.use == EdgeUse::kReal);
+    if (last[e] == nullptr) continue;
+    EXPECT_EQ(last[e]->b, stage.seeds.model_vertex[edge.vertex[1]]);
+    EXPECT_EQ(last[e]->tb, edge.t1);
+  }
+}
+
+TEST(Seeds, PointsLieOnTheirEntities) {
+  const Model model = analytic_torus(2.0, 0.6, {oblique(), 1e-3});
+  const Stage stage = seed(model, 0.3);
+  ASSERT_GT(stage.seeds.surface_points, 50u);
+  for (std::size_t n = 0; n < stage.seeds.surface_points; ++n) {
+    const auto foot = model.closest(stage.seeds.points.position[n], 1.0);
+    ASSERT_TRUE(foot.has_value());
+    EXPECT_LT(foot->distance, 1e-11);
+  }
+}
+
+TEST(Seeds, FacePointsKeepHalfTheSizeFromTheClosureOfTheirFace) {
+  const Model model = analytic_box(Vec3(1, 1.3, 0.9), {oblique(), 1e-3});
+  const Stage stage = seed(model, 0.2);
+  const SeedPoints& points = stage.seeds.points;
+  for (std::size_t i = 0; i < stage.seeds.surface_points; ++i) {
+    if (points.on[i].dim != 2) continue;
+    for (std::size_t j = 0; j < stage.seeds.surface_points; ++j)
+      if (i != j && model.in_closure(points.on[j], points.on[i]))
+        EXPECT_GT((points.position[i] - points.position[j]).norm(), 0.5 * 0.2 * (1 - 1e-6));
+  }
+}
+
+TEST(Seeds, OctreeVerticesKeepTheirDistanceFromTheSurface) {
+  const Model model = analytic_ball(1.0, {oblique(), 1e-3});
+  const Stage stage = seed(model, 0.25);
+  std::size_t inside = 0;
+  for (std::size_t n = stage.seeds.surface_points; n < stage.seeds.points.size(); ++n) {
+    EXPECT_FALSE(
+        model.closest(stage.seeds.points.position[n], 0.59 * stage.seeds.points.spacing[n]).has_value());
+    EXPECT_EQ(stage.seeds.points.on[n].dim, 3);
+    inside += stage.seeds.points.on[n].tag == 1;
+  }
+  EXPECT_GT(inside, 50u);
+}
+
+TEST(Seeds, AThinPlateGetsEveryPointTwiceStraightAcross) {
+  const double thickness = 0.02;
+  const Model model = analytic_box(Vec3(1, 1, thickness), {});
+  const Stage stage = seed(model, 0.2);
+  const SeedPoints& points = stage.seeds.points;
+  std::size_t pairs = 0;
+  for (std::size_t i = 0; i < stage.seeds.surface_points; ++i) {
+    const Vec3 p = points.position[i];
+    if (std::abs(p.z()) > 1e-12 || p.x() <= 0.0 || p.x() >= 1.0 || p.y() <= 0.0 || p.y() >= 1.0) continue;
+    std::size_t partners = 0;
+    for (std::size_t j = 0; j < stage.seeds.surface_points; ++j)
+      partners += (points.position[j] - Vec3(p.x(), p.y(), thickness)).norm() < 1e-9;
+    EXPECT_EQ(partners, 1u) << p.transpose();
+    ++pairs;
+  }
+  EXPECT_GT(pairs, 10u);
+}
+
+TEST(Seeds, EdgesOfAKnifeGetPointsAtEqualDistanceFromTheirCommonVertex) {
+  const Model model = analytic_wedge(0.17, 1.0, 1.0, {});
+  const Stage stage = seed(model, 0.2);
+  const SeedPoints& points = stage.seeds.points;
+  // In the plane z = 0 two edges leave the knife's vertex at 10 degrees.
+  std::vector<double> along_x, along_leg;
+  for (std::size_t n = 0; n < stage.seeds.surface_points; ++n) {
+    const Vec3 p = points.position[n];
+    if (points.on[n].dim != 1 || std::abs(p.z()) > 1e-12) continue;
+    if (p.norm() < 0.9) (std::abs(p.y()) < 1e-12 ? along_x : along_leg).push_back(p.norm());
+  }
+  std::sort(along_x.begin(), along_x.end());
+  std::sort(along_leg.begin(), along_leg.end());
+  ASSERT_GE(along_x.size(), 3u);
+  ASSERT_EQ(along_x.size(), along_leg.size());
+  for (std::size_t i = 0; i < along_x.size(); ++i) EXPECT_NEAR(along_x[i], along_leg[i], 1e-9);
+}
+
+}  // namespace
+}  // namespace octet
