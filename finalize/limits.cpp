@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <iterator>
 #include <vector>
 
 #include "mesh/tet_mesh.h"
@@ -84,8 +85,8 @@ bool wall_within(const Workshop& shop, TetId t, int face, double reach) {
   return !hits.empty();
 }
 
-bool in_thin_wall(Workshop& shop, TetId t) {
-  const double half = 0.5 * shop.size_at(shop.mesh.point(t, 0));
+/// The tetrahedra that share a vertex with t.
+std::vector<TetId> neighbourhood(Workshop& shop, TetId t) {
   std::vector<TetId> around, near;
   for (const VertexId corner : std::array(shop.mesh.tets[t])) {
     star(shop.mesh, corner, around);
@@ -93,21 +94,43 @@ bool in_thin_wall(Workshop& shop, TetId t) {
   }
   std::sort(near.begin(), near.end());
   near.erase(std::unique(near.begin(), near.end()), near.end());
-  for (const TetId s : near) {
+  return near;
+}
+
+bool in_thin_wall(const Workshop& shop, const std::vector<TetId>& near, std::int32_t region, double size) {
+  return std::any_of(near.begin(), near.end(), [&](TetId s) {
     for (int f = 0; f < 4; ++f) {
-      if (shop.mesh.face_on[s][f] != 0 && shop.mesh.region[s] == shop.mesh.region[t] &&
-          wall_within(shop, s, f, half)) {
+      if (shop.mesh.face_on[s][f] != 0 && shop.mesh.region[s] == region &&
+          wall_within(shop, s, f, 0.5 * size)) {
         return true;
       }
     }
-  }
-  return false;
+    return false;
+  });
+}
+
+/// Whether two model edges or vertices come nearer to each other than what counts as a nick: no collapse may
+/// join them.
+bool at_small_feature(const Workshop& shop, const std::vector<TetId>& near, double size) {
+  const WorkMesh& mesh = shop.mesh;
+  const double least = shop.options.short_edge * size;
+  return std::any_of(near.begin(), near.end(), [&](TetId s) {
+    return std::any_of(std::begin(kTetEdge), std::end(kTetEdge), [&](const int(&e)[2]) {
+      const VertexId a = mesh.tets[s][e[0]], b = mesh.tets[s][e[1]];
+      const ModelRef p = mesh.on[a], q = mesh.on[b];
+      if (p.dim > 1 || q.dim > 1 || p == q || (p.dim != q.dim && piece_on(mesh, a, b) != 0)) return false;
+      return (mesh.points[a] - mesh.points[b]).norm() < least;
+    });
+  });
 }
 
 }  // namespace
 
 bool limited_by_geometry(Workshop& shop, TetId t) {
-  return at_sharp_edge(shop, t) || at_sharp_corner(shop, t) || in_thin_wall(shop, t);
+  if (at_sharp_edge(shop, t) || at_sharp_corner(shop, t)) return true;
+  const double size = shop.size_at(shop.mesh.point(t, 0));
+  const std::vector<TetId> near = neighbourhood(shop, t);
+  return at_small_feature(shop, near, size) || in_thin_wall(shop, near, shop.mesh.region[t], size);
 }
 
 }  // namespace octet
