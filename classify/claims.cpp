@@ -128,6 +128,11 @@ double ClaimInput::allowed_distance(ModelRef entity) const {
   return std::max(own, node_tolerance);
 }
 
+std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t i) {
+  while (parent[i] != i) i = parent[i] = parent[parent[i]];
+  return i;
+}
+
 ClaimBuilder::ClaimBuilder(std::string name, std::string statement) {
   claim_.name = std::move(name);
   claim_.statement = std::move(statement);

@@ -67,6 +67,9 @@ struct ClaimInput {
   [[nodiscard]] Vec3 centroid(const std::array<Mesh::Index, 4>& t) const {
     return 0.25 * (point(t[0]) + point(t[1]) + point(t[2]) + point(t[3]));
   }
+  [[nodiscard]] double volume(const std::array<Mesh::Index, 4>& t) const {
+    return cross({t[0], t[1], t[2]}).dot(point(t[3]) - point(t[0])) / 6.0;
+  }
   /// Twice the area vector.
   [[nodiscard]] Vec3 cross(const std::array<Mesh::Index, 3>& t) const {
     return (point(t[1]) - point(t[0])).cross(point(t[2]) - point(t[0]));
@@ -93,6 +96,9 @@ class ClaimBuilder {
   std::vector<std::pair<double, Fault>> kept_;
   std::size_t count_ = 0;
 };
+
+/// The smallest item that `i` is joined to; halves the paths on its way.
+[[nodiscard]] std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t i);
 
 /// What is told to do when the mesh itself is broken, not the part.
 inline constexpr const char* kBadMesh =

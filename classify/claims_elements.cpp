@@ -11,12 +11,6 @@
 namespace octet {
 namespace {
 
-double tet_volume(const Mesh& mesh, std::uint32_t tet) {
-  const auto& t = mesh.tets[tet];
-  const Vec3& a = mesh.points[t[0]];
-  return (mesh.points[t[1]] - a).cross(mesh.points[t[2]] - a).dot(mesh.points[t[3]] - a) / 6.0;
-}
-
 template <std::size_t N>
 void check_numbers(ClaimBuilder& claim, const Mesh& mesh, const char* kind, int dim, int tags,
                    const std::vector<std::array<Mesh::Index, N>>& elements,
@@ -38,13 +32,6 @@ void check_numbers(ClaimBuilder& claim, const Mesh& mesh, const char* kind, int 
   }
 }
 
-/// Smallest index reachable, with path halving.
-std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t i) {
-  while (parent[i] != i) i = parent[i] = parent[parent[i]];
-  return i;
-}
-
-/// Whether all faces of the group are a triangle of the mesh; `triangles` sorted by key.
 using FaceKey = std::array<Mesh::Index, 3>;
 std::vector<FaceKey> sorted_triangles(const Mesh& mesh) {
   std::vector<FaceKey> keys;
@@ -92,7 +79,7 @@ Claim claim_positive_volume(const ClaimInput& in) {
   double smallest = in.mesh.tets.empty() ? 0.0 : std::numeric_limits<double>::max();
   for (std::uint32_t i = 0; i < in.mesh.tets.size(); ++i) {
     const auto& t = in.mesh.tets[i];
-    const double volume = tet_volume(in.mesh, i);
+    const double volume = in.volume(t);
     smallest = std::min(smallest, volume);
     const int sign = orient3d(in.point(t[0]), in.point(t[1]), in.point(t[2]), in.point(t[3]));
     if (sign > 0) continue;

@@ -23,11 +23,6 @@ struct FaceCount {
   std::size_t vertices = 0, edges = 0, triangles = 0, pieces = 0;
 };
 
-std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t i) {
-  while (parent[i] != i) i = parent[i] = parent[parent[i]];
-  return i;
-}
-
 /// Pieces that hang together by sides, per face.
 void count_pieces(const ClaimInput& in, std::vector<FaceCount>& counts) {
   std::vector<std::uint32_t> parent(in.mesh.triangles.size());

@@ -13,7 +13,8 @@ namespace {
 // What the measures of flat and straight entities agree to, relative.
 constexpr double kExact = 1e-9;
 
-double angle_cap(double share) { return std::min(share, 0.5); }
+/// A triangle that is off by more than half of itself may not claim more for it.
+double capped_share(double share) { return std::min(share, 0.5); }
 
 double area_of(const ClaimInput& in, std::uint32_t t) { return 0.5 * in.cross(in.mesh.triangles[t]).norm(); }
 
@@ -116,7 +117,7 @@ FaceSums face_sums(const ClaimInput& in, int tag, const std::vector<EdgeSums>& e
     sums.area += area;
     // The angle is noise where the surface is flat.
     const double turn = foot.curvature > 0.0 ? foot.turn : 0.0;
-    sums.area_error += area * angle_cap(tilt * tilt + turn * turn);
+    sums.area_error += area * capped_share(tilt * tilt + turn * turn);
     sums.volume_error +=
         foot.curvature > 0.0 ? area * std::min(height, 0.5 * in.longest_side(in.mesh.triangles[t])) : 0.0;
   }
@@ -214,11 +215,8 @@ Claim claim_region_volume(const ClaimInput& in) {
   double worst = 0.0;
   const auto faces = all_face_sums(in);
   std::vector<double> volume(static_cast<std::size_t>(in.model.count(3)) + 1, 0.0);
-  for (std::size_t i = 0; i < in.mesh.tets.size(); ++i) {
-    const auto& t = in.mesh.tets[i];
-    const Vec3& a = in.point(t[0]);
-    volume[in.mesh.tet_in[i]] += (in.point(t[1]) - a).cross(in.point(t[2]) - a).dot(in.point(t[3]) - a) / 6.0;
-  }
+  for (std::size_t i = 0; i < in.mesh.tets.size(); ++i)
+    volume[in.mesh.tet_in[i]] += in.volume(in.mesh.tets[i]);
   for (int tag = 1; tag <= in.model.count(3); ++tag) {
     const ModelRegion& region = in.model.region(tag);
     double allowed = kExact * std::abs(region.volume);

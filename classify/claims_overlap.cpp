@@ -49,11 +49,8 @@ Claim claim_volumes_add_up(const ClaimInput& in) {
   const std::size_t n = static_cast<std::size_t>(in.model.count(3)) + 1;
   std::vector<double> filled(n, 0.0), enclosed(n, 0.0);
   const Vec3 origin = in.model.box().centre();
-  for (std::size_t i = 0; i < in.mesh.tets.size(); ++i) {
-    const auto& t = in.mesh.tets[i];
-    const Vec3& a = in.point(t[0]);
-    filled[in.mesh.tet_in[i]] += (in.point(t[1]) - a).cross(in.point(t[2]) - a).dot(in.point(t[3]) - a) / 6.0;
-  }
+  for (std::size_t i = 0; i < in.mesh.tets.size(); ++i)
+    filled[in.mesh.tet_in[i]] += in.volume(in.mesh.tets[i]);
   for (std::size_t i = 0; i < in.mesh.triangles.size(); ++i) {
     const auto& t = in.mesh.triangles[i];
     const ModelFace& face = in.model.face(in.mesh.triangle_on[i]);

@@ -30,8 +30,6 @@ std::string printable(std::string name) {
   return name;
 }
 
-std::vector<std::uint32_t>& items_of(ItemsOn& items, ModelRef ref) { return items[ref]; }
-
 /// Adds items 0..n-1 of one dimension. The last entity is kept at hand: neighbours mostly share it.
 template <class EntityOf>
 void add_items(ItemsOn& items, std::size_t n, const EntityOf& entity_of) {
@@ -40,32 +38,27 @@ void add_items(ItemsOn& items, std::size_t n, const EntityOf& entity_of) {
   for (std::size_t i = 0; i < n; ++i) {
     const ModelRef ref = entity_of(static_cast<std::uint32_t>(i));
     if (list == nullptr || ref != last) {
-      list = &items_of(items, ref);
+      list = &items[ref];
       last = ref;
     }
     list->push_back(static_cast<std::uint32_t>(i));
   }
 }
 
-struct EntityBoxes {
+std::map<ModelRef, Box3> mesh_boxes(const Mesh& mesh) {
   std::map<ModelRef, Box3> boxes;
-  void add(ModelRef ref, const Vec3& p) { boxes[ref].add(p); }
-};
-
-EntityBoxes mesh_boxes(const Mesh& mesh) {
-  EntityBoxes all;
   for (const auto& [ref, nodes] : group_nodes(mesh))
-    for (const std::uint32_t v : nodes) all.add(ref, mesh.points[v]);
+    for (const std::uint32_t v : nodes) boxes[ref].add(mesh.points[v]);
   const ElementGroups groups = group_elements(mesh);
   for (const auto& [ref, items] : groups.items) {
-    Box3& box = all.boxes[ref];
+    Box3& box = boxes[ref];
     std::uint64_t nodes[4];
     for (const std::uint32_t i : items) {
       const int n = element_nodes(mesh, groups, ref.dim, i, nodes);
       for (int k = 0; k < n; ++k) box.add(mesh.points[nodes[k] - 1]);
     }
   }
-  return all;
+  return boxes;
 }
 
 OutlineEntity& entity_in(std::vector<OutlineEntity>& entities, int tag) {
@@ -169,7 +162,7 @@ ModelOutline complete_outline(const ModelOutline& outline, const Mesh& mesh) {
   ModelOutline whole = outline;
   for (auto& entities : whole.entities)
     std::sort(entities.begin(), entities.end(), [](const auto& a, const auto& b) { return a.tag < b.tag; });
-  for (const auto& [ref, box] : mesh_boxes(mesh).boxes) {
+  for (const auto& [ref, box] : mesh_boxes(mesh)) {
     OutlineEntity& e = entity_in(whole.entities[ref.dim], ref.tag);
     if (e.box.empty()) e.box = box;
   }
