@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The loop between classification and triangulation: holes are found where they are, and closed.
+#include "app/attribute_points.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/vertex_order.h"
+#include "geom/analytic.h"
+#include "octree/seeds.h"
+
+namespace octet {
+namespace {
+
+/// A band triangulated from seeds of which the test may drop some.
+class Bench {
+ public:
+  Bench(const Model& model, double size)
+      : band_(model, [&](const Vec3& p) { return model.region_at(p); }), edges_(model, size) {
+    OctreeRequest request;
+    request.size = size;
+    const Octree tree = build_octree(model, request, {});
+    const OctreeVertices vertices = octree_vertices(tree);
+    const OctantTypes types = octant_types(model, tree);
+    const std::vector<OctantEdgeCut> cuts = cut_octant_edges(model, tree, vertices, types);
+    const OctreeLabels labels = label_vertices(model, tree, vertices, types, cuts);
+    seeds_ = seed_points(model, tree, vertices, labels, cuts, size);
+  }
+
+  /// Keeps the points for which keep(position, on) holds; edge points are always kept.
+  template <class Keep>
+  void triangulate(const Keep& keep) {
+    SeedPoints kept;
+    const SeedPoints& all = seeds_.points;
+    std::vector<std::uint32_t> number(all.size(), UINT32_MAX);
+    for (std::uint32_t n = 0; n < all.size(); ++n)
+      if (all.on[n].dim < 2 || keep(all.position[n], all.on[n]))
+        number[n] =
+            static_cast<std::uint32_t>(kept.add(all.position[n], all.on[n], all.order[n], all.spacing[n]));
+    std::vector<EdgePiece> pieces = seeds_.pieces;
+    for (EdgePiece& piece : pieces) {
+      piece.a = number[piece.a];
+      piece.b = number[piece.b];
+    }
+    chains_ = std::make_unique<EdgeChains>(std::move(pieces));
+    on_ = kept.on;
+    triangulation_.insert_all(kept.position, kept.order);
+    std::vector<TetId> tets;
+    for (std::size_t i = 0; i < triangulation_.mesh().tets.size(); ++i)
+      if (triangulation_.mesh().alive(TetId(i))) tets.emplace_back(i);
+    band_.update(triangulation_.mesh(), on_, tets);
+  }
+
+  /// Adds a free point before triangulate().
+  void add(const Vec3& p, ModelRef on) {
+    seeds_.points.add(p, on, free_point_rank(1'000'000 + seeds_.points.size()), 1.0);
+  }
+  const std::vector<EdgePiece>& pieces() const { return seeds_.pieces; }
+
+  std::vector<Gap> gaps() { return find_gaps(band_, triangulation_.mesh(), on_, *chains_); }
+
+  AttributeResult close(std::size_t points) {
+    AttributeLimits limits;
+    limits.points = points;
+    limits.floor = 1e-5;
+    Observer silent;
+    return close_gaps(triangulation_, band_, *chains_, on_, edges_, limits, silent);
+  }
+
+  const std::vector<ModelRef>& on() const { return on_; }
+  const TetMesh& mesh() const { return triangulation_.mesh(); }
+
+ private:
+  Seeds seeds_;
+  Triangulation triangulation_;
+  Band band_;
+  std::unique_ptr<EdgeChains> chains_;
+  std::vector<ModelRef> on_;
+  EdgeIndex edges_;
+};
+
+TEST(AttributePoints, CloseTheHoleWhereABallWasNotSampled) {
+  const Model model = analytic_ball(1.0, {});
+  Bench bench(model, 0.3);
+  // No point on a cap: the facets that span it are too far from the ball.
+  bench.triangulate([](const Vec3& p, ModelRef on) { return on.dim == 3 || p.z() < 0.5; });
+  const std::vector<Gap> gaps = bench.gaps();
+  EXPECT_TRUE(std::any_of(gaps.begin(), gaps.end(), [](const Gap& gap) { return gap.place.z() > 0.3; }));
+  const std::size_t before = bench.on().size();
+  const AttributeResult result = bench.close(2000);
+  EXPECT_TRUE(result.gaps.empty());
+  EXPECT_EQ(bench.on().size(), before + result.points);
+  EXPECT_GT(result.points, 0u);
+  for (std::size_t n = before; n < bench.on().size(); ++n) {
+    EXPECT_EQ(bench.on()[n], model_face(1));
+    EXPECT_NEAR(bench.mesh().points[VertexId(n)].norm(), 1.0, 1e-9);
+  }
+  EXPECT_TRUE(bench.gaps().empty());
+}
+
+TEST(AttributePoints, WhatTheLimitLeavesOpenIsReported) {
+  const Model model = analytic_ball(1.0, {});
+  Bench bench(model, 0.3);
+  bench.triangulate([](const Vec3& p, ModelRef on) { return on.dim == 3 || p.z() < 0.0; });
+  const AttributeResult result = bench.close(1);
+  EXPECT_FALSE(result.gaps.empty());
+  const Fault fault = describe_gap(model, result.gaps.front());
+  EXPECT_NE(fault.cause.find("Face 1"), std::string::npos);
+}
+
+TEST(AttributePoints, AMissingEdgePieceIsFoundAndSplit) {
+  const Model model = analytic_box(Vec3(1, 1, 1), {});
+  Bench bench(model, 0.5);
+  // A point just inside the middle of an edge piece breaks it.
+  const EdgePiece first = bench.pieces().front();
+  const Vec3 middle = model.edge_point(first.edge, 0.5 * (first.ta + first.tb));
+  bench.add(middle + 0.05 * (Vec3(0.5, 0.5, 0.5) - middle), model_region(1));
+  bench.triangulate([](const Vec3&, ModelRef) { return true; });
+  const std::vector<Gap> gaps = bench.gaps();
+  ASSERT_FALSE(gaps.empty());
+  EXPECT_EQ(gaps.front().kind, GapKind::kMissingPiece);
+  EXPECT_EQ(gaps.front().entity, model_edge(first.edge));
+  EXPECT_TRUE(bench.close(500).gaps.empty());
+}
+
+TEST(SplitPoint, IsOnAPowerOfTwoShellAroundAModelVertex) {
+  const Model model = analytic_box(Vec3(1, 1, 1), {});
+  const ModelEdge& edge = model.edge(1);
+  TetMesh mesh;
+  mesh.points.push_back(model.vertex(edge.vertex[0]).point);
+  mesh.points.push_back(model.edge_point(1, edge.t0 + 0.3 * (edge.t1 - edge.t0)));
+  const std::vector<ModelRef> on{model_vertex(edge.vertex[0]), model_edge(1)};
+  const EdgePiece piece{0, 1, edge.t0, edge.t0 + 0.3 * (edge.t1 - edge.t0), 1};
+  const AttributePoint p = split_point(model, mesh, on, piece);
+  const double radius = (p.point - mesh.points[VertexId(0)]).norm();
+  EXPECT_NEAR(std::log2(radius), std::round(std::log2(radius)), 1e-9);
+  EXPECT_GT(radius, 0.3 * 0.3);
+  EXPECT_LT(radius, 0.3 * 0.75);
+}
+
+}  // namespace
+}  // namespace octet
