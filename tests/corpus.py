@@ -158,12 +158,15 @@ def run_one(args, part, size, folder):
     return row
 
 
-def print_table(rows):
-    widths = {h: max([len(h)] + [len(str(r[h])) for r in rows]) for h in HEAD if h != "why"}
+def widths_of(parts):
+    widths = {h: max(len(h), 10) for h in HEAD if h != "why"}
+    widths["file"] = max([len("file")] + [len(os.path.basename(p)) for p in parts])
     widths["why"] = 3
-    print(" | ".join(h.ljust(widths[h]) for h in HEAD))
-    for row in rows:
-        print(" | ".join(str(row[h]).ljust(widths[h]) for h in HEAD).rstrip())
+    return widths
+
+
+def print_row(cells, widths):
+    print(" | ".join(str(cells[h]).ljust(widths[h]) for h in HEAD).rstrip(), flush=True)
 
 
 def main():
@@ -178,12 +181,12 @@ def main():
         os.makedirs(folder, exist_ok=True)
         with ThreadPoolExecutor(max_workers=args.jobs) as pool:
             jobs = [pool.submit(run_one, args, p, s, folder) for p in parts for s in sizes]
+            widths = widths_of(parts)
+            print_row({h: h for h in HEAD}, widths)
             rows = []
             for job in jobs:
                 rows.append(job.result())
-                if sys.stderr.isatty():
-                    print(f"\r{len(rows)}/{len(jobs)}", end="", file=sys.stderr)
-    print_table(rows)
+                print_row(rows[-1], widths)
     good = sum(r["good"] for r in rows)
     complete = sum(r["status"] == "complete" for r in rows)
     angles = [r["dihedral"] for r in rows if r.get("dihedral") is not None]
