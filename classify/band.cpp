@@ -132,7 +132,7 @@ void Band::forget_facets(const TetMesh& mesh, TetId t) {
       if (mesh.neighbours[n][g] == t) facet_on_[n][g] = kUnknown;
 }
 
-std::size_t Band::repair(const TetMesh& mesh, std::span<const ModelRef> on) {
+std::size_t Band::repair_singly(const TetMesh& mesh, std::span<const ModelRef> on) {
   constexpr int kPasses = 8;
   std::size_t moved = 0;
   for (int pass = 0; pass < kPasses; ++pass) {
@@ -162,16 +162,18 @@ bool Band::movable(const TetMesh& mesh, std::span<const ModelRef> on, TetId t) c
                      [&](VertexId v) { return on[v.index()].dim < 3; });
 }
 
+bool Band::misfit(const TetMesh& mesh, std::span<const ModelRef> on, TetId t, std::int8_t f, int behind,
+                  int front) const {
+  if (behind == front) return false;
+  const auto& v = mesh.tets[t];
+  const BoundaryFacet facet{t, f, kUnknown, {v[kTetFace[f][0]], v[kTetFace[f][1]], v[kTetFace[f][2]]}};
+  return classify_facet(mesh, on, facet, behind, front) == 0;
+}
+
 /// Facets of t that would fit no model face if t lay in `region`.
 int Band::misfits(const TetMesh& mesh, std::span<const ModelRef> on, TetId t, int region) const {
   int count = 0;
-  const auto& v = mesh.tets[t];
-  for (std::int8_t f = 0; f < 4; ++f) {
-    const int across = region_[mesh.neighbours[t][f]];
-    if (across == region) continue;
-    const BoundaryFacet facet{t, f, kUnknown, {v[kTetFace[f][0]], v[kTetFace[f][1]], v[kTetFace[f][2]]}};
-    count += classify_facet(mesh, on, facet, region, across) == 0;
-  }
+  for (std::int8_t f = 0; f < 4; ++f) count += misfit(mesh, on, t, f, region, region_[mesh.neighbours[t][f]]);
   return count;
 }
 

@@ -75,6 +75,15 @@ class Band {
   [[nodiscard]] const Model& model() const { return *model_; }
 
  private:
+  std::size_t repair_singly(const TetMesh& mesh, std::span<const ModelRef> on);
+  std::size_t repair_in_groups(const TetMesh& mesh, std::span<const ModelRef> on);
+  std::size_t relabel_group(const TetMesh& mesh, std::span<const ModelRef> on,
+                            const std::vector<TetId>& group, int first, int second);
+  [[nodiscard]] std::vector<TetId> group_around(const TetMesh& mesh, std::span<const ModelRef> on, TetId a,
+                                                TetId b, int first, int second,
+                                                std::vector<std::uint8_t>& taken) const;
+  [[nodiscard]] bool misfit(const TetMesh& mesh, std::span<const ModelRef> on, TetId t, std::int8_t f,
+                            int behind, int front) const;
   [[nodiscard]] bool movable(const TetMesh& mesh, std::span<const ModelRef> on, TetId t) const;
   [[nodiscard]] int misfits(const TetMesh& mesh, std::span<const ModelRef> on, TetId t, int region) const;
   void move(const TetMesh& mesh, TetId t, int region);

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Misfits that no single move cures: the labels of a group of tetrahedra are chosen together.
+#include <algorithm>
+#include <map>
+
+#include "classify/band.h"
+#include "classify/min_cut.h"
+#include "mesh/circumcentre.h"
+
+namespace octet {
+namespace {
+
+/// A group reaches this many faces away from a misfit, and holds at most so many tetrahedra.
+constexpr int kRings = 4;
+constexpr std::size_t kLargestGroup = 4000;
+/// A misfit costs as much as this many circumcentres on the wrong side: few enough that a thin sheet whose
+/// tetrahedra are all movable is not given away for a misfit or two.
+constexpr std::int64_t kMisfitCost = 12;
+
+}  // namespace
+
+std::size_t Band::repair(const TetMesh& mesh, std::span<const ModelRef> on) {
+  const std::size_t singly = repair_singly(mesh, on);
+  return singly + repair_in_groups(mesh, on);
+}
+
+std::size_t Band::repair_in_groups(const TetMesh& mesh, std::span<const ModelRef> on) {
+  struct Pair {
+    TetId a, b;
+  };
+  std::vector<Pair> misfits;
+  for (const BoundaryFacet& facet : facets(mesh, on))
+    if (facet.face == 0) misfits.push_back({facet.tet, mesh.neighbours[facet.tet][facet.local]});
+  std::vector<std::uint8_t> taken(mesh.tets.size(), 0);
+  std::size_t moved = 0;
+  for (const auto& [a, b] : misfits) {
+    const int first = region_[a], second = region_[b];
+    if (first == second || taken[a.index()] || taken[b.index()]) continue;
+    const std::vector<TetId> group = group_around(mesh, on, a, b, first, second, taken);
+    if (!group.empty()) moved += relabel_group(mesh, on, group, first, second);
+  }
+  return moved;
+}
+
+std::vector<TetId> Band::group_around(const TetMesh& mesh, std::span<const ModelRef> on, TetId a, TetId b,
+                                      int first, int second, std::vector<std::uint8_t>& taken) const {
+  std::vector<TetId> group;
+  const auto take = [&](TetId t) {
+    if (taken[t.index()] || (region_[t] != first && region_[t] != second) || !movable(mesh, on, t)) return;
+    taken[t.index()] = 1;
+    group.push_back(t);
+  };
+  take(a);
+  take(b);
+  std::size_t from = 0;
+  for (int ring = 0; ring < kRings; ++ring) {
+    const std::size_t to = group.size();
+    for (; from < to && group.size() < kLargestGroup; ++from)
+      for (const TetId n : mesh.neighbours[group[from]]) take(n);
+  }
+  return group;
+}
+
+std::size_t Band::relabel_group(const TetMesh& mesh, std::span<const ModelRef> on,
+                                const std::vector<TetId>& group, int first, int second) {
+  std::map<TetId, std::uint32_t> node;
+  for (const TetId t : group) node.emplace(t, static_cast<std::uint32_t>(node.size()));
+  const auto cost = [&](TetId t, std::int8_t f, int behind, int front) {
+    return misfit(mesh, on, t, f, behind, front) ? kMisfitCost : 0;
+  };
+  TwoLabels labels(group.size());  // 0: first, 1: second
+  for (std::uint32_t i = 0; i < group.size(); ++i) {
+    const TetId t = group[i];
+    const auto& v = mesh.tets[t];
+    const Circumcentre c =
+        circumcentre(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], mesh.points[v[3]]);
+    const int natural = c.reliable ? region_of_(c.point) : region_[t];
+    labels.prefer(i, natural == second, natural == first);
+    for (std::int8_t f = 0; f < 4; ++f) {
+      const TetId n = mesh.neighbours[t][f];
+      const auto inside = node.find(n);
+      if (inside == node.end())
+        labels.prefer(i, cost(t, f, first, region_[n]), cost(t, f, second, region_[n]));
+      else if (i < inside->second)
+        labels.join(i, inside->second, cost(t, f, first, second), cost(t, f, second, first));
+    }
+  }
+  const std::vector<std::uint8_t> chosen = labels.solve();
+  std::size_t moved = 0;
+  for (std::uint32_t i = 0; i < group.size(); ++i) {
+    const int region = chosen[i] == 0 ? first : second;
+    if (region == region_[group[i]]) continue;
+    move(mesh, group[i], region);
+    ++moved;
+  }
+  return moved;
+}
+
+}  // namespace octet
