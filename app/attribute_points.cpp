@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/error.h"
 #include "base/vertex_order.h"
@@ -38,7 +39,7 @@ class AttributeLoop {
       moved_ = band_.repair(mesh(), on_);
       result_.gaps = find_gaps(band_, mesh(), on_, chains_);
       observer.note(round_text());
-      if (result_.gaps.empty() || result_.points >= limits_.points) return std::move(result_);
+      if (result_.gaps.empty() || result_.points >= limits_.points || runs_away()) return std::move(result_);
       const std::size_t before = result_.points;
       for (const Gap& gap : result_.gaps) close(gap);
       relabel();
@@ -51,6 +52,17 @@ class AttributeLoop {
 
  private:
   [[nodiscard]] const TetMesh& mesh() const { return triangulation_.mesh(); }
+
+  /// Points that make more gaps than they close: at a cusp or within a tolerance, more of them do not help.
+  bool runs_away() {
+    constexpr std::size_t kPatience = 6, kGrowth = 3, kFew = 60;
+    const std::size_t now = result_.gaps.size();
+    if (std::all_of(result_.gaps.begin(), result_.gaps.end(),
+                    [](const Gap& gap) { return gap.kind == GapKind::kMissingPiece; }))
+      return false;  // facets have not been looked at in this round
+    fewest_ = std::min(fewest_, now);
+    return result_.rounds >= kPatience && now > kGrowth * fewest_ + kFew;
+  }
 
   [[nodiscard]] std::string round_text() const {
     std::array<std::size_t, 5> kinds{};
@@ -238,6 +250,7 @@ class AttributeLoop {
   const Model& model_;
   AttributeResult result_;
   std::size_t moved_ = 0;
+  std::size_t fewest_ = std::numeric_limits<std::size_t>::max();
   std::vector<std::uint8_t> changed_;  ///< per tetrahedron: made in this round
   std::vector<TetId> relabel_, created_, cavity_;
   TetId last_;

@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The run from model to mesh, as a list of verbs.
 #include <fmt/format.h>
-#include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <optional>
 
-#include "app/attribute_points.h"
-#include "app/interior.h"
+#include "app/attempt.h"
 #include "app/mesh_part.h"
 #include "classify/extract.h"
 #include "finalize/finalize.h"
 #include "geom/sizing.h"
-#include "octree/seeds.h"
 
 namespace octet {
 namespace {
@@ -25,6 +24,9 @@ constexpr double kFinestShare = 1.0 / 32.0;
 /// The same for curvature alone.
 constexpr double kFinestCurvedShare = 1.0 / 11.0;
 
+/// How often octants are subdivided where gaps survive.
+constexpr int kSubdivisions = 2;
+
 class Run {
  public:
   Run(const Model& model, const MeshOptions& options, Observer& observer)
@@ -32,10 +34,8 @@ class Run {
 
   MeshResult run() {
     choose_size();
-    build_tree();
-    place_points();
-    triangulate();
-    close_holes();
+    Octree tree = build_tree();
+    mesh_band(std::move(tree));
     extract();
     improve();
     accept();
@@ -50,14 +50,17 @@ class Run {
     if (observer_.cancelled()) throw Cancelled();
     observer_.stage(stage, fraction);
     end();
-    result_.report.times.push_back({stage, 0.0});
-    started_ = Clock::now();
+    auto& times = result_.report.times;
+    const auto known =
+        std::find_if(times.begin(), times.end(), [&](const StageTime& t) { return t.name == stage; });
+    stage_ = static_cast<std::size_t>(known - times.begin());
+    if (known == times.end()) times.push_back({stage, 0.0});
   }
 
   void end() {
     auto& times = result_.report.times;
-    if (!times.empty())
-      times.back().seconds += std::chrono::duration<double>(Clock::now() - started_).count();
+    if (stage_ < times.size())
+      times[stage_].seconds += std::chrono::duration<double>(Clock::now() - started_).count();
     started_ = Clock::now();
   }
 
@@ -77,20 +80,18 @@ class Run {
                       size_, elements, options_.max_elements));
   }
 
-  void build_tree() {
+  [[nodiscard]] Octree build_tree() {
     begin("octree", 0.0);
     const std::vector<SizeSample> samples = size_samples();
     OctreeRequest request;
     request.size = size_;
-    tree_ = std::make_unique<Octree>(build_octree(model_, request, samples));
-    vertices_ = octree_vertices(*tree_);
-    observer_.note(fmt::format("octree: {} octants, {} vertices, {} size samples", tree_->size(),
-                               vertices_.size(), samples.size()));
-    begin("cuts", 0.1);
-    const OctantTypes types = octant_types(model_, *tree_);
-    cuts_ = cut_octant_edges(model_, *tree_, vertices_, types);
-    labels_ = label_vertices(model_, *tree_, vertices_, types, cuts_);
-    for (const Fault& fault : labels_.conflicts) observer_.note("parity: " + fault.cause);
+    Octree tree = build_octree(model_, request, samples);
+    observer_.note(fmt::format("octree: {} octants, {} size samples", tree.size(), samples.size()));
+    return tree;
+  }
+
+  [[nodiscard]] double finest_size() const {
+    return options_.min_size > 0.0 ? options_.min_size : kFinestShare * size_;
   }
 
   /// The part's own wishes: short edges and gaps are resolved down to the finest size, curvature alone not so
@@ -98,7 +99,7 @@ class Run {
   [[nodiscard]] std::vector<SizeSample> size_samples() const {
     SizingOptions gaps;
     gaps.size = size_;
-    gaps.min_size = options_.min_size > 0.0 ? options_.min_size : kFinestShare * size_;
+    gaps.min_size = finest_size();
     gaps.curvature_angle = 0.0;
     std::vector<SizeSample> samples = feature_sizes(model_, gaps);
     if (options_.curvature_angle > 0.0) {
@@ -115,65 +116,66 @@ class Run {
     return samples;
   }
 
-  void place_points() {
-    begin("points", 0.2);
-    seeds_ = seed_points(model_, *tree_, vertices_, labels_, cuts_, size_);
-    observer_.note(fmt::format("points: {} on the boundary, {} octree vertices, {} edge pieces",
-                               seeds_.surface_points, seeds_.points.size() - seeds_.surface_points,
-                               seeds_.pieces.size()));
-  }
-
-  void triangulate() {
-    begin("triangulation", 0.3);
-    split_ = split_interior(model_, *tree_, vertices_, labels_, seeds_);
-    observer_.note(fmt::format("interior: {} template octants, {} of {} points in the band",
-                               split_.templates.size(), split_.band.size(), seeds_.points.size()));
-    triangulation_.insert_all(split_.band.position, split_.band.order);
-  }
-
-  /// Exact region of a point: the octant's label where it has one.
-  [[nodiscard]] int region_of(const Vec3& p) const {
-    const Vec3 x = p - tree_->origin();
-    if ((x.array() < 0.0).any() || (x.array() > tree_->root_size()).any()) return 0;
-    const OctantId o = tree_->find(p);
-    switch (labels_.type[o.index()]) {
-      case OctantType::kOut:
-        return 0;
-      case OctantType::kIn:
-        return labels_.region[o.index()];
-      default:
-        return model_.region_at(p);
+  /// Points, triangulation, attribute points; where gaps survive, their octants are subdivided and the band
+  /// is made anew. The attempt with the fewest gaps is kept.
+  void mesh_band(Octree tree) {
+    for (int depth = 0;; ++depth) {
+      auto next = attempt(std::move(tree));
+      result_.report.attribute_points += next->closed.points;
+      result_.report.rounds += next->closed.rounds;
+      if (!band_ || next->closed.gaps.size() < band_->closed.gaps.size()) band_ = std::move(next);
+      if (band_->closed.gaps.empty() || depth == kSubdivisions) break;
+      std::optional<Octree> finer = subdivide_at_gaps(*band_, 0.5 * finest_size());
+      if (!finer) break;
+      observer_.note(fmt::format("{} gaps left: their octants subdivided, {} octants now",
+                                 band_->closed.gaps.size(), finer->size()));
+      tree = std::move(*finer);
     }
+    for (const Gap& gap : band_->closed.gaps) result_.report.faults.push_back(describe_gap(model_, gap));
   }
 
-  void close_holes() {
+  [[nodiscard]] std::unique_ptr<Attempt> attempt(Octree tree) {
+    auto next = std::make_unique<Attempt>(std::move(tree));
+    begin("cuts", 0.1);
+    cut_tree(*next, model_);
+    for (const Fault& fault : next->labels.conflicts) observer_.note("parity: " + fault.cause);
+    check_limit(*next);
+    begin("points", 0.2);
+    place_points(*next, model_, size_);
+    observer_.note(fmt::format("points: {} on the boundary, {} in all, {} triangulated; {} template octants",
+                               next->seeds.surface_points, next->seeds.points.size(), next->split.band.size(),
+                               next->split.templates.size()));
+    begin("triangulation", 0.3);
+    triangulate(*next, model_);
     begin("classification", 0.45);
-    on_ = split_.band.on;
-    chains_ = std::make_unique<EdgeChains>(seeds_.pieces);
-    band_ = std::make_unique<Band>(model_, [this](const Vec3& p) { return region_of(p); });
-    std::vector<TetId> all;
-    for (std::size_t i = 0; i < triangulation_.mesh().tets.size(); ++i)
-      if (triangulation_.mesh().alive(TetId(i))) all.emplace_back(i);
-    band_->update(triangulation_.mesh(), on_, all);
     AttributeLimits limits;
-    limits.points = 4 * seeds_.surface_points + 2000;
+    limits.points = 4 * next->seeds.surface_points + 2000;
     limits.floor = 1e-3 * size_ * kFinestShare;
-    const EdgeIndex edges(model_, size_);
-    const AttributeResult closed =
-        close_gaps(triangulation_, *band_, *chains_, on_, edges, limits, observer_);
-    result_.report.attribute_points = closed.points;
-    result_.report.rounds = closed.rounds;
-    for (const Gap& gap : closed.gaps) result_.report.faults.push_back(describe_gap(model_, gap));
+    classify(*next, model_, size_, limits, observer_);
+    return next;
+  }
+
+  /// Five tetrahedra an inside octant, and about as many for the part of a boundary octant that lies inside.
+  void check_limit(const Attempt& attempt) const {
+    const auto inside =
+        static_cast<std::size_t>(std::count_if(attempt.labels.type.begin(), attempt.labels.type.end(),
+                                               [](OctantType type) { return type != OctantType::kOut; }));
+    if (4 * inside > options_.max_elements)
+      throw LimitError(fmt::format(
+          "size {:.6g} mm, with the part's small features, needs about {} elements, more than the limit "
+          "of {}; ask for a larger size, set --min-size, or raise --max-elements",
+          size_, 5 * inside, options_.max_elements));
   }
 
   void extract() {
     begin("extraction", 0.6);
-    const TetMesh& band = triangulation_.mesh();
-    std::vector<Vec3> points = band.points.values();
-    std::vector<ModelRef> on = on_;
-    const ExtraTets interior = template_tets(*tree_, vertices_, labels_, split_, points, on);
+    const TetMesh& tets = band_->triangulation.mesh();
+    std::vector<Vec3> points = tets.points.values();
+    std::vector<ModelRef> on = band_->on;
+    const ExtraTets interior =
+        template_tets(band_->tree, band_->vertices, band_->labels, band_->split, points, on);
     result_.report.template_tets = interior.tets.size();
-    result_.mesh = extract_mesh(*band_, band, points, on, *chains_, interior);
+    result_.mesh = extract_mesh(*band_->band, tets, points, on, *band_->chains, interior);
     if (observer_.wants_dumps()) observer_.dump("classified", result_.mesh);
   }
 
@@ -182,7 +184,7 @@ class Run {
     begin("finalization", 0.65);
     FinalizeOptions finalize_options;
     finalize_options.threads = options_.threads;
-    finalize_options.size_at = [this](const Vec3& p) { return tree_->size_at(p); };
+    finalize_options.size_at = [this](const Vec3& p) { return band_->tree.size_at(p); };
     const FinalizeReport report = finalize(result_.mesh, model_, finalize_options, observer_);
     observer_.note(fmt::format(
         "finalization: smallest dihedral {:.2f} -> {:.2f} degrees, {} below target ({} by geometry)",
@@ -228,16 +230,8 @@ class Run {
   MeshResult result_;
   Clock::time_point started_ = Clock::now();
   double size_ = 0.0;
-  std::unique_ptr<Octree> tree_;
-  OctreeVertices vertices_;
-  OctreeLabels labels_;
-  std::vector<OctantEdgeCut> cuts_;
-  Seeds seeds_;
-  BandAndInterior split_;
-  Triangulation triangulation_;
-  std::vector<ModelRef> on_;
-  std::unique_ptr<EdgeChains> chains_;
-  std::unique_ptr<Band> band_;
+  std::size_t stage_ = std::numeric_limits<std::size_t>::max();  ///< index of the running stage's time
+  std::unique_ptr<Attempt> band_;
 };
 
 }  // namespace

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From a tree to a classified band, step by step.
+#include "app/attempt.h"
+
+#include <algorithm>
+
+namespace octet {
+
+int Attempt::region_of(const Model& model, const Vec3& p) const {
+  const Vec3 x = p - tree.origin();
+  if ((x.array() < 0.0).any() || (x.array() > tree.root_size()).any()) return 0;
+  const OctantId o = tree.find(p);
+  switch (labels.type[o.index()]) {
+    case OctantType::kOut:
+      return 0;
+    case OctantType::kIn:
+      return labels.region[o.index()];
+    default:
+      return model.region_at(p);
+  }
+}
+
+void cut_tree(Attempt& attempt, const Model& model) {
+  attempt.vertices = octree_vertices(attempt.tree);
+  const OctantTypes types = octant_types(model, attempt.tree);
+  attempt.cuts = cut_octant_edges(model, attempt.tree, attempt.vertices, types);
+  attempt.labels = label_vertices(model, attempt.tree, attempt.vertices, types, attempt.cuts);
+}
+
+void place_points(Attempt& attempt, const Model& model, double size) {
+  attempt.seeds = seed_points(model, attempt.tree, attempt.vertices, attempt.labels, attempt.cuts, size);
+  attempt.split = split_interior(model, attempt.tree, attempt.vertices, attempt.labels, attempt.seeds);
+}
+
+void triangulate(Attempt& attempt, const Model& model) {
+  attempt.triangulation.insert_all(attempt.split.band.position, attempt.split.band.order);
+  attempt.on = attempt.split.band.on;
+  attempt.chains = std::make_unique<EdgeChains>(attempt.seeds.pieces);
+  attempt.band = std::make_unique<Band>(
+      model, [&attempt, &model](const Vec3& p) { return attempt.region_of(model, p); });
+}
+
+void classify(Attempt& attempt, const Model& model, double size, const AttributeLimits& limits,
+              Observer& observer) {
+  const TetMesh& mesh = attempt.triangulation.mesh();
+  std::vector<TetId> all;
+  for (std::size_t i = 0; i < mesh.tets.size(); ++i)
+    if (mesh.alive(TetId(i))) all.emplace_back(i);
+  attempt.band->update(mesh, attempt.on, all);
+  const EdgeIndex edges(model, size);
+  attempt.closed =
+      close_gaps(attempt.triangulation, *attempt.band, *attempt.chains, attempt.on, edges, limits, observer);
+}
+
+std::optional<Octree> subdivide_at_gaps(const Attempt& attempt, double finest) {
+  const Octree& tree = attempt.tree;
+  std::vector<OctantId> octants;
+  for (const Gap& gap : attempt.closed.gaps) {
+    const double half = 0.5 * tree.size_at(gap.place);
+    for (int i = 0; i < 27; ++i) {
+      const OctantId o = tree.find(gap.place + half * Vec3(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1));
+      if (tree.length(tree[o].level) > finest * (1.0 + 1e-9) && tree[o].level < kLatticeLevels)
+        octants.push_back(o);
+    }
+  }
+  std::sort(octants.begin(), octants.end());
+  octants.erase(std::unique(octants.begin(), octants.end()), octants.end());
+  if (octants.empty()) return std::nullopt;
+  return refine(tree, octants);
+}
+
+}  // namespace octet

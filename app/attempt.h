@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One tree and all that was made on it up to the classified band; a finer tree is a new attempt.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/attribute_points.h"
+#include "app/interior.h"
+#include "classify/band.h"
+#include "delaunay/triangulation.h"
+#include "octree/seeds.h"
+
+namespace octet {
+
+/// Stays where it is made: `band` asks it for regions.
+struct Attempt {
+  explicit Attempt(Octree t) : tree(std::move(t)) {}
+  Attempt(const Attempt&) = delete;
+  Attempt& operator=(const Attempt&) = delete;
+
+  Octree tree;
+  OctreeVertices vertices;
+  std::vector<OctantEdgeCut> cuts;
+  OctreeLabels labels;
+  Seeds seeds;
+  BandAndInterior split;
+  Triangulation triangulation;
+  std::vector<ModelRef> on;  ///< per vertex of the triangulation
+  std::unique_ptr<EdgeChains> chains;
+  std::unique_ptr<Band> band;
+  AttributeResult closed;
+
+  /// Exact region of a point: the octant's label where it has one.
+  [[nodiscard]] int region_of(const Model& model, const Vec3& p) const;
+};
+
+/// The steps, in this order.
+void cut_tree(Attempt& attempt, const Model& model);
+void place_points(Attempt& attempt, const Model& model, double size);
+void triangulate(Attempt& attempt, const Model& model);
+void classify(Attempt& attempt, const Model& model, double size, const AttributeLimits& limits,
+              Observer& observer);
+
+/// The tree with the octants around the gaps that are left refined once [Schroeder & Shephard 1990, "Octant
+/// subdivision"]; octants no longer than `finest` stay. None when none can be refined.
+[[nodiscard]] std::optional<Octree> subdivide_at_gaps(const Attempt& attempt, double finest);
+
+}  // namespace octet
