@@ -151,17 +151,16 @@ void expect_planar_exact(const Model& model, double size, long solid) {
   }
 }
 
-/// One error at sizes that halve. Each halving divides it by at least 3.5 in the mean (geometric, from the
-/// first to the last size), and by 3.2 at least in each: which edges and facets fall where is an accident of
-/// the sizes.
-void expect_ratios(const std::vector<double>& errors, const char* what) {
+/// One error at sizes that halve. Each halving divides it by at least `least`, and by 3.5 in the (geometric)
+/// mean.
+void expect_ratios(const std::vector<double>& errors, double least, const char* what) {
   const auto halvings = static_cast<double>(errors.size() - 1);
   EXPECT_GE(std::pow(errors.front() / errors.back(), 1.0 / halvings), 3.5) << what;
   for (std::size_t i = 1; i < errors.size(); ++i)
-    EXPECT_GE(errors[i - 1] / errors[i], 3.2) << what << ", halving " << i;
+    EXPECT_GE(errors[i - 1] / errors[i], least) << what << ", halving " << i;
 }
 
-void expect_second_order(const Model& model, double size, long solid, int sizes = 3) {
+void expect_second_order(const Model& model, double size, long solid, int sizes = 3, double least = 3.5) {
   std::vector<double> volume, area, length;
   for (int i = 0; i < sizes; ++i, size *= 0.5) {
     const MeshResult result = mesh_uniformly(model, size);
@@ -172,9 +171,9 @@ void expect_second_order(const Model& model, double size, long solid, int sizes 
     area.push_back(errors.area);
     length.push_back(errors.length);
   }
-  expect_ratios(volume, "volume");
-  expect_ratios(area, "area");
-  if (length.front() > 1e-12) expect_ratios(length, "length");
+  expect_ratios(volume, least, "volume");
+  expect_ratios(area, least, "area");
+  if (length.front() > 1e-12) expect_ratios(length, least, "length");
 }
 
 AnalyticOptions turned() {
@@ -189,7 +188,9 @@ TEST(Convergence, RotatedBoxIsExact) { expect_planar_exact(analytic_box(Vec3(1, 
 TEST(Convergence, TwoBoxesAreExact) { expect_planar_exact(analytic_two_boxes(Vec3(1, 1.5, 1)), 0.4, 1); }
 TEST(Convergence, BallIsSecondOrder) { expect_second_order(analytic_ball(1.0), 0.4, 1); }
 TEST(Convergence, CylinderIsSecondOrder) { expect_second_order(analytic_cylinder(1.0, 1.5), 0.4, 1); }
-TEST(Convergence, ConeIsSecondOrder) { expect_second_order(analytic_cone(1.0, 1.5), 0.3, 1, 4); }
+/// The area's error over the square of the size still grows from 0.178 to 0.228 as the elements along the rim
+/// and at the apex become few among many: one halving alone may then fall short of 3.5.
+TEST(Convergence, ConeIsSecondOrder) { expect_second_order(analytic_cone(1.0, 1.5), 0.3, 1, 4, 3.3); }
 TEST(Convergence, TorusIsSecondOrder) { expect_second_order(analytic_torus(1.0, 0.4), 0.25, 0); }
 TEST(Convergence, BoxMinusBallIsSecondOrder) {
   expect_second_order(analytic_box_minus_ball(2.0, 0.6), 0.3, 2);
