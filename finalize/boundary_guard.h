@@ -2,6 +2,7 @@
 // Keeps the boundary of the mesh by the exact geometry while it is changed.
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -21,11 +22,13 @@ struct Seat {
 struct Fit {
   double turn = 0.0;  ///< largest 1 - cos of the angle between a triangle and the face's exact normals at its
                       ///< vertices; 2 for a triangle without area
-  double sag = 0.0;   ///< largest estimated distance of an edge's middle to the face, model units
+  double sag = 0.0;   ///< largest estimated distance of an edge's middle or the centroid to the face
+  double bend = 0.0;  ///< largest curvature along an edge, 1/length; not a defect, but what sagittae come of
 
   void add(const Fit& other) {
-    turn = turn > other.turn ? turn : other.turn;
-    sag = sag > other.sag ? sag : other.sag;
+    turn = std::max(turn, other.turn);
+    sag = std::max(sag, other.sag);
+    bend = std::max(bend, other.bend);
   }
 };
 
@@ -59,7 +62,8 @@ class BoundaryGuard {
   /// The same for a vertex at another place.
   [[nodiscard]] static Fit fit(const std::array<Vec3, 3>& points, const std::array<Vec3, 3>& normals);
 
-  /// The worst that triangles made from ones of fit `before` may have, where the local size is `size`.
+  /// The worst that triangles made from ones of fit `before` may have, where the local size is `size`: as
+  /// far from the face as before, or as an edge of that size is at the curvature there.
   [[nodiscard]] static Fit bound(const Fit& before, double size);
   [[nodiscard]] static bool within(const Fit& fit, const Fit& bound) {
     return fit.turn <= bound.turn && fit.sag <= bound.sag;

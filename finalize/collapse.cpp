@@ -151,7 +151,9 @@ bool draft_triangles(Workshop& shop, VertexId gone, VertexId kept, const std::ve
       draft.triangles.push_back(triangle);
     }
   }
-  if (!BoundaryGuard::within(draft.after, BoundaryGuard::bound(draft.before, longest))) return false;
+  // Not the longest edge alone: collapse by collapse it would grow, and the distance allowed with it.
+  const double size = curved ? std::min(longest, shop.size_at(mesh.points[gone])) : longest;
+  if (!BoundaryGuard::within(draft.after, BoundaryGuard::bound(draft.before, size))) return false;
   if (!curved) return true;
   const auto volume = [&](const std::array<VertexId, 4>& v) {
     return signed_volume(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], mesh.points[v[3]]);

@@ -131,6 +131,9 @@ bool swap_fits(Workshop& shop, const SurfaceSwap& swap) {
     longest = std::max(longest, (shop.mesh.points[t.vertices[2]] - shop.mesh.points[t.vertices[0]]).norm());
   }
   for (const NewTriangle& t : swap.after) after.add(shop.guard.fit(shop.mesh, t.face, t.vertices));
+  if (!shop.guard.planar(swap.before[0].face)) {
+    longest = std::min(longest, shop.size_at(shop.mesh.points[swap.before[0].vertices[0]]));
+  }
   return BoundaryGuard::within(after, BoundaryGuard::bound(before, longest));
 }
 

@@ -66,6 +66,35 @@ TEST(Finalize, BringsACylinderToEighteenDegrees) {
   EXPECT_GE(report.min_dihedral_after, 18.0 * kDegree);
 }
 
+/// Largest distance of the triangles' middles, and of their edges', to the exact faces.
+double largest_sampled_deviation(const Part& part) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < part.mesh.triangles.size(); ++i) {
+    const auto& v = part.mesh.triangles[i];
+    const std::array<Vec3, 3> p{part.mesh.points[v[0]], part.mesh.points[v[1]], part.mesh.points[v[2]]};
+    for (const Vec3& q : {Vec3((p[0] + p[1] + p[2]) / 3.0), Vec3(0.5 * (p[0] + p[1])),
+                          Vec3(0.5 * (p[1] + p[2])), Vec3(0.5 * (p[2] + p[0]))}) {
+      const FaceFoot foot = part.model.face_project(part.mesh.triangle_on[i], q);
+      largest = std::max(largest, (foot.point - q).norm());
+    }
+  }
+  return largest;
+}
+
+TEST(Finalize, KeepsRoundFacesAsNearAsTheyWere) {
+  for (const bool ball : {true, false}) {
+    for (const int seed : {1, 2, 3, 4, 5}) {
+      Part part = ball ? testing::ball_part(8) : testing::cylinder_part(8);
+      testing::Dice dice(static_cast<std::uint64_t>(seed));
+      testing::jitter(part.mesh, part.model, 0.1, dice);
+      const double before = largest_sampled_deviation(part);
+      finalize_and_check(part, 0.25);
+      // Jitter stretches the triangles, which finalization mends: measured 0.39 to 0.70 of it.
+      EXPECT_LE(largest_sampled_deviation(part), 0.8 * before);
+    }
+  }
+}
+
 TEST(Finalize, KeepsAnInterfaceBetweenTwoRegions) {
   Part part = testing::two_boxes_part(5);
   testing::Dice dice(4);
