@@ -16,9 +16,10 @@ namespace {
 constexpr double kTurnBound = 0.134;
 /// Sagitta allowed at most, as a share of the local size: 45 degrees over one element make 0.1.
 constexpr double kSagBound = 0.1;
-/// Sagitta always allowed, as a share of the local size: 9 degrees over one element. With half of it, slivers
-/// beside gently curved faces stay (17 degrees in place of 21 on a plug of cylinders).
-constexpr double kFlatSag = 0.02;
+/// Sagitta always allowed, as a share of the local size: 14 degrees over one element. With less, slivers
+/// beside gently curved faces stay (0.01: 17 degrees in place of 21 on a plug of cylinders; 0.02: 14.8 in
+/// place of 15.8 on a mount).
+constexpr double kFlatSag = 0.03;
 /// Drift allowed of a region's volume, as a share of it.
 constexpr double kVolumeBound = 2e-3;
 
