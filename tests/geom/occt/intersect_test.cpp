@@ -53,7 +53,7 @@ class Intersect : public ::testing::TestWithParam<const char*> {};
 TEST_P(Intersect, FindsWhatEverySurfaceFindsWithoutFacets) {
   const Model model = sample(GetParam());
   Segments segments(model);
-  const int count = std::string(GetParam()) == "blade" ? 4000 : 20000;
+  const int count = 20000;
   int differences = 0, hits_seen = 0;
   std::vector<Hit> hits;
   for (int i = 0; i < count; ++i) {
