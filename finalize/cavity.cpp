@@ -9,25 +9,12 @@
 #include "base/check.h"
 #include "base/predicates.h"
 #include "finalize/shape.h"
+#include "mesh/sort_triple.h"
 
 namespace octet {
 namespace {
 
 using Triple = std::array<VertexId, 3>;
-
-bool sort_triple(Triple& v) {
-  bool odd = false;
-  const auto order = [&](int i, int j) {
-    if (v[j] < v[i]) {
-      std::swap(v[i], v[j]);
-      odd = !odd;
-    }
-  };
-  order(0, 1);
-  order(1, 2);
-  order(0, 1);
-  return odd;
-}
 
 /// One side of a face that the change touches.
 struct Side {

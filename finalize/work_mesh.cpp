@@ -8,26 +8,12 @@
 
 #include "base/check.h"
 #include "finalize/shape.h"
+#include "mesh/sort_triple.h"
 
 namespace octet {
 namespace {
 
 using Triple = std::array<std::uint32_t, 3>;
-
-/// Sorts the three and tells whether the permutation was odd.
-bool sort_triple(Triple& v) {
-  bool odd = false;
-  const auto order = [&](int i, int j) {
-    if (v[i] > v[j]) {
-      std::swap(v[i], v[j]);
-      odd = !odd;
-    }
-  };
-  order(0, 1);
-  order(1, 2);
-  order(0, 1);
-  return odd;
-}
 
 struct FaceSlot {
   Triple key;
