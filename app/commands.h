@@ -31,9 +31,18 @@ struct CheckCommand {
   bool json = false;
 };
 
+struct QualityCommand {
+  std::filesystem::path mesh;
+  std::optional<double> size;  ///< asked for everywhere, in `unit`; none: the mesh's own local size
+  std::string unit;            ///< of the mesh file's coordinates; empty: millimetre
+  std::size_t worst = 10;
+  bool json = false, csv = false;
+};
+
 /// Each returns an ExitCode and throws what the library throws.
 int run_mesh(const MeshCommand& command);
 int run_info(const InfoCommand& command);
 int run_check(const CheckCommand& command);
+int run_quality(const QualityCommand& command);
 
 }  // namespace octet

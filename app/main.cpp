@@ -59,7 +59,9 @@ int guarded(const Run& run) {
 void add_mesh(CLI::App& app, MeshCommand& mesh) {
   CLI::App& sub = *app.add_subcommand("mesh", "Mesh a CAD part: classified tetrahedra");
   sub.add_option("part", mesh.part, "STEP, IGES or BREP file")->required()->type_name("FILE");
-  sub.add_option("-o,--output", mesh.output, "Mesh file to write (.msh or .vtu)")->required()->type_name("FILE");
+  sub.add_option("-o,--output", mesh.output, "Mesh file to write (.msh or .vtu)")
+      ->required()
+      ->type_name("FILE");
   sub.add_option("--size", mesh.size, "Edge length of the elements (default: from the part's dimensions)")
       ->type_name("LENGTH");
   sub.add_option("--min-size", mesh.min_size, "Refine no further than this (default: size / 32)")
@@ -96,6 +98,22 @@ void add_check(CLI::App& app, CheckCommand& check) {
   sub.footer(kFooter);
 }
 
+void add_quality(CLI::App& app, QualityCommand& quality) {
+  CLI::App& sub =
+      *app.add_subcommand("quality", "Tell the shapes of a mesh's elements: table, histograms, worst");
+  sub.add_option("mesh", quality.mesh, "MSH or VTU file")->required()->type_name("FILE");
+  sub.add_option("--size", quality.size,
+                 "Hold edges and walls against this size (default: that of the mesh around)")
+      ->type_name("LENGTH");
+  sub.add_option("--unit", quality.unit, std::string("Unit of the mesh file: ") + kUnitHelp)
+      ->type_name("UNIT");
+  sub.add_option("--worst", quality.worst, "How many of the worst elements to list (default: 10)")
+      ->type_name("N");
+  CLI::Option* json = sub.add_flag("--json", quality.json, "Print JSON");
+  sub.add_flag("--csv", quality.csv, "Print the histograms as CSV")->excludes(json);
+  sub.footer(kFooter);
+}
+
 int run(int argc, char** argv) {
   CLI::App app("Octet: CAD part in, classified tetrahedral mesh out", "octet");
   app.set_version_flag("--version", std::string("octet ") + OCTET_VERSION);
@@ -104,9 +122,11 @@ int run(int argc, char** argv) {
   MeshCommand mesh;
   InfoCommand info;
   CheckCommand check;
+  QualityCommand quality;
   add_mesh(app, mesh);
   add_info(app, info);
   add_check(app, check);
+  add_quality(app, quality);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -115,6 +135,7 @@ int run(int argc, char** argv) {
   }
   if (app.got_subcommand("mesh")) return guarded([&] { return run_mesh(mesh); });
   if (app.got_subcommand("info")) return guarded([&] { return run_info(info); });
+  if (app.got_subcommand("quality")) return guarded([&] { return run_quality(quality); });
   return guarded([&] { return run_check(check); });
 }
 

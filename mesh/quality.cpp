@@ -40,6 +40,31 @@ double mean_ratio(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   return 12.0 * root * root / squares;
 }
 
+double radius_ratio(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const Vec3 ab = b - a, ac = c - a, ad = d - a, bc = c - b, bd = d - b, cd = d - c;
+  const double six_volumes = ab.cross(ac).dot(ad);
+  if (!(six_volumes > 0.0)) return 0.0;
+  // r = 3 V / area and R = sqrt(s (s - p) (s - q) (s - u)) / (6 V), where p, q, u are the products of
+  // opposite edges and s is half their sum.
+  const double area =
+      0.5 * (ab.cross(ac).norm() + ab.cross(ad).norm() + ac.cross(ad).norm() + bc.cross(bd).norm());
+  const double p = ab.norm() * cd.norm(), q = ac.norm() * bd.norm(), u = ad.norm() * bc.norm();
+  const double s = 0.5 * (p + q + u);
+  const double square = s * (s - p) * (s - q) * (s - u);
+  return square > 0.0 ? 1.5 * six_volumes * six_volumes / (area * std::sqrt(square)) : 0.0;
+}
+
+double aspect(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const Vec3 ab = b - a, ac = c - a, ad = d - a, bc = c - b, bd = d - b, cd = d - c;
+  const double six_volumes = ab.cross(ac).dot(ad);
+  if (!(six_volumes > 0.0)) return 0.0;
+  const double largest_face = std::sqrt(std::max({ab.cross(ac).squaredNorm(), ab.cross(ad).squaredNorm(),
+                                                  ac.cross(ad).squaredNorm(), bc.cross(bd).squaredNorm()}));
+  const double longest = std::sqrt(std::max({ab.squaredNorm(), ac.squaredNorm(), ad.squaredNorm(),
+                                             bc.squaredNorm(), bd.squaredNorm(), cd.squaredNorm()}));
+  return std::sqrt(1.5) * six_volumes / (largest_face * longest);
+}
+
 QualitySummary quality_summary(const Mesh& mesh) {
   QualitySummary summary;
   summary.tets = mesh.tets.size();

@@ -17,6 +17,10 @@ struct DihedralRange {
 [[nodiscard]] double signed_volume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 /// 12 (3 V)^(2/3) / sum of squared edges, 1 for the regular tetrahedron.
 [[nodiscard]] double mean_ratio(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+/// 3 r / R of the inscribed and the circumscribed sphere, 1 for the regular tetrahedron.
+[[nodiscard]] double radius_ratio(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+/// sqrt(3/2) of the shortest height over the longest edge, 1 for the regular tetrahedron.
+[[nodiscard]] double aspect(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
 struct QualitySummary {
   std::size_t tets = 0;

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The table counts each element once and agrees with the summary.
+#include "mesh/quality_table.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "mesh/local_size.h"
+#include "tests/support/box_mesh.h"
+
+namespace octet {
+namespace {
+
+TEST(QualityTable, CountsEachElementOnceAndAgreesWithTheSummary) {
+  Mesh mesh = test::plain_box_mesh(4);
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+    if (mesh.point_on[v].dim == 3) mesh.points[v].x() += 0.1 * static_cast<double>(v % 3);
+  }
+  const std::vector<double> size(mesh.points.size(), 0.5);
+  const QualityTable table = quality_table(mesh, size, 3);
+  const QualitySummary summary = quality_summary(mesh);
+  ASSERT_EQ(table.all.size(), 5u);
+  for (const Distribution& d : table.all) {
+    EXPECT_EQ(d.count, mesh.tets.size());
+    EXPECT_EQ(std::accumulate(d.bins.begin(), d.bins.end(), std::size_t{0}), d.count) << d.name;
+    EXPECT_LE(d.least, d.p1);
+    EXPECT_LE(d.p1, d.median);
+    EXPECT_LE(d.median, d.p99);
+    EXPECT_LE(d.p99, d.largest);
+  }
+  EXPECT_EQ(table.all[0].least, summary.min_dihedral);
+  EXPECT_EQ(table.all[0].p1, summary.p1_min_dihedral);
+  EXPECT_EQ(table.all[1].largest, summary.max_dihedral);
+  EXPECT_NEAR(table.all[2].mean, summary.mean_mean_ratio, 1e-12);
+  EXPECT_EQ(table.free[0].count + table.limited, table.tets);
+  EXPECT_EQ(table.edges.count, tet_edges(mesh).size());
+}
+
+TEST(QualityTable, TheWorstElementIsNamedWithItsEntities) {
+  Mesh mesh = test::plain_box_mesh(4);
+  // Flatten one element at the boundary.
+  std::size_t victim = 0;
+  while (mesh.point_on[mesh.tets[victim][3]].dim != 3) ++victim;
+  const auto v = mesh.tets[victim];
+  const Vec3 middle = (mesh.points[v[0]] + mesh.points[v[1]] + mesh.points[v[2]]) / 3.0;
+  mesh.points[v[3]] = middle + 1e-3 * (mesh.points[v[3]] - middle);
+  const std::vector<double> size(mesh.points.size(), 0.01);
+  const QualityTable table = quality_table(mesh, size, 2);
+  ASSERT_EQ(table.worst.size(), 2u);
+  const WorstTet& worst = table.worst[0];
+  const auto& w = mesh.tets[worst.tet];
+  EXPECT_NE(std::find(w.begin(), w.end(), v[3]), w.end());
+  EXPECT_FALSE(worst.limited);
+  EXPECT_EQ(worst.on.back(), model_region(1));
+  for (const Mesh::Index i : w) {
+    EXPECT_NE(std::find(worst.on.begin(), worst.on.end(), mesh.point_on[i]), worst.on.end());
+  }
+}
+
+}  // namespace
+}  // namespace octet
