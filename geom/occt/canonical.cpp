@@ -5,9 +5,7 @@
 #include <fmt/format.h>
 
 #include <BRepTools.hxx>
-#include <BRepTopAdaptor_FClass2d.hxx>
 #include <BRep_Tool.hxx>
-#include <GeomAdaptor_Surface.hxx>
 #include <Geom_Circle.hxx>
 #include <Geom_ConicalSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
@@ -23,8 +21,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <mutex>
-#include <vector>
 
 #include "base/error.h"
 #include "geom/conics.h"
@@ -75,46 +71,6 @@ UvCell cell_of(const TopoDS_Face& face) {
   return cell;
 }
 
-/// FClass2d::Perform is const, but walks an NCollection_Sequence, whose cursor is mutable: two threads at one
-/// classifier crash. So each call borrows one of the idle ones, and there are as many as threads have met
-/// here.
-class OcctTrim final : public Trim {
- public:
-  OcctTrim(const TopoDS_Face& face, double uv_tolerance) : face_(face), uv_tolerance_(uv_tolerance) {
-    give_back(make());
-  }
-
-  TrimSide side(const Vec2& uv) const override {
-    std::unique_ptr<BRepTopAdaptor_FClass2d> classifier = borrow();
-    const TopAbs_State state = classifier->Perform(gp_Pnt2d(uv.x(), uv.y()), true);
-    give_back(std::move(classifier));
-    return state == TopAbs_IN ? TrimSide::kIn : state == TopAbs_ON ? TrimSide::kOn : TrimSide::kOut;
-  }
-
- private:
-  using Classifier = std::unique_ptr<BRepTopAdaptor_FClass2d>;
-
-  [[nodiscard]] Classifier make() const {
-    return std::make_unique<BRepTopAdaptor_FClass2d>(face_, uv_tolerance_);
-  }
-  [[nodiscard]] Classifier borrow() const {
-    const std::lock_guard lock(mutex_);
-    if (idle_.empty()) return make();
-    Classifier last = std::move(idle_.back());
-    idle_.pop_back();
-    return last;
-  }
-  void give_back(Classifier classifier) const {
-    const std::lock_guard lock(mutex_);
-    idle_.push_back(std::move(classifier));
-  }
-
-  TopoDS_Face face_;
-  double uv_tolerance_;
-  mutable std::mutex mutex_;
-  mutable std::vector<Classifier> idle_;
-};
-
 }  // namespace
 
 std::shared_ptr<const Surface> make_surface(const TopoDS_Face& face, int tag) {
@@ -144,14 +100,6 @@ std::shared_ptr<const Curve> make_curve(const TopoDS_Edge& edge) {
   if (const auto c = Handle(Geom_Ellipse)::DownCast(curve); !c.IsNull())
     return make_ellipse(axes_of(gp_Ax3(c->Position())), c->MajorRadius(), c->MinorRadius(), t0, t1);
   return make_free_curve(curve, t0, t1);
-}
-
-std::shared_ptr<const Trim> make_trim(const TopoDS_Face& face) {
-  const TopoDS_Face forward = TopoDS::Face(face.Oriented(TopAbs_FORWARD));
-  const GeomAdaptor_Surface adaptor(BRep_Tool::Surface(forward));
-  const double tolerance =
-      std::min(adaptor.UResolution(Precision::Confusion()), adaptor.VResolution(Precision::Confusion()));
-  return std::make_shared<OcctTrim>(forward, std::max(tolerance, 1e-14));
 }
 
 }  // namespace octet

@@ -26,7 +26,4 @@ namespace octet {
 /// The curve under an edge over its parameter range.
 [[nodiscard]] std::shared_ptr<const Curve> make_curve(const TopoDS_Edge& edge);
 
-/// The loops of a face, in the (u,v) of make_surface().
-[[nodiscard]] std::shared_ptr<const Trim> make_trim(const TopoDS_Face& face);
-
 }  // namespace octet

@@ -17,6 +17,7 @@
 
 #include "base/error.h"
 #include "geom/occt/canonical.h"
+#include "geom/occt/face_trim.h"
 
 namespace octet {
 namespace {
@@ -202,7 +203,7 @@ void fill_topology(const Numbering& numbering, ModelParts& parts) {
     if (parts.edges[tag].use != EdgeUse::kDegenerate) parts.curves[tag] = make_curve(numbering.edge(tag));
   for (int tag = 1; tag <= numbering.count(2); ++tag) {
     parts.surfaces[tag] = make_surface(numbering.face(tag), tag);
-    parts.trims[tag] = make_trim(numbering.face(tag));
+    parts.trims[tag] = make_trim(numbering.face(tag), *parts.surfaces[tag]);
     fill_face(numbering, tag, parts);
   }
   mark_seams(numbering, parts);
