@@ -20,6 +20,16 @@ int Attempt::region_of(const Model& model, const Vec3& p) const {
   }
 }
 
+void Attempt::forget_band() {
+  band.reset();
+  chains.reset();
+  triangulation = Triangulation();
+  on = {};
+  cuts = {};
+  seeds = {};
+  split.band = {};
+}
+
 void cut_tree(Attempt& attempt, const Model& model) {
   attempt.vertices = octree_vertices(attempt.tree);
   const OctantTypes types = octant_types(model, attempt.tree);

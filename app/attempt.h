@@ -34,6 +34,9 @@ struct Attempt {
 
   /// Exact region of a point: the octant's label where it has one.
   [[nodiscard]] int region_of(const Model& model, const Vec3& p) const;
+
+  /// Frees what only the band needed, once its mesh has been extracted.
+  void forget_band();
 };
 
 /// The steps, in this order.

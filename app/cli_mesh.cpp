@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -20,6 +19,7 @@
 #include "app/outline.h"
 #include "app/output_check.h"
 #include "app/report_json.h"
+#include "app/stage_clock.h"
 #include "app/summary.h"
 #include "geom/occt/read_part.h"
 #include "io/output_file.h"
@@ -29,11 +29,6 @@ namespace octet {
 namespace {
 
 namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 double positive_length(const char* option, double value, const LengthUnit& unit) {
   if (!std::isfinite(value) || value <= 0.0)
@@ -98,22 +93,22 @@ ConsoleOptions console_options(const MeshCommand& command) {
 int mesh_to_file(const MeshCommand& command, const MeshOptions& options, const LengthUnit& unit,
                  const RunNames& names, MeshFormat format) {
   Console console(console_options(command));
-  auto start = Clock::now();
+  StageClock clock;
   console.stage("reading", 0.0);
   const Model model = read_part(command.part);
   for (const std::string& note : model.notes()) console.note(note);
-  const double reading = seconds_since(start);
+  const StageTime reading = clock.lap("reading");
 
   MeshResult result = mesh_part(model, options, console);
   MeshReport& report = result.report;
-  report.times.insert(report.times.begin(), {"reading", reading});
+  report.times.insert(report.times.begin(), reading);
 
-  start = Clock::now();
+  clock = StageClock();
   console.stage("writing", 1.0);
   WriteOptions write_options;
   write_options.scale = 1.0 / unit.millimetres;
   write_mesh(command.output, result.mesh, outline_of(model), format, write_options);
-  report.times.push_back({"writing", seconds_since(start)});
+  report.times.push_back(clock.lap("writing"));
   write_report(command.report, mesh_report_json(names, model, report));
   console.clear();
 

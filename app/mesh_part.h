@@ -17,9 +17,9 @@
 namespace octet {
 
 struct MeshOptions {
-  double size = 0.0;      ///< edge length asked for, model units (millimetre); 0: chosen from the part
-  double min_size = 0.0;  ///< local refinement stops here; 0: size / 32
-  double curvature_angle = 0.5;         ///< radians of turning per element; 0: off
+  double size = 0.0;             ///< edge length asked for, model units (millimetre); 0: chosen from the part
+  double min_size = 0.0;         ///< local refinement stops here; 0: size / 32
+  double curvature_angle = 0.5;  ///< radians of turning per element; 0: off
   std::size_t max_elements = 20'000'000;  ///< LimitError when more would be needed
   int threads = 1;                        ///< same bytes for any number
   bool finalize = true;
@@ -34,6 +34,7 @@ enum class MeshStatus {
 struct StageTime {
   std::string name;
   double seconds = 0.0;
+  double cpu_seconds = 0.0;  ///< of all threads together; unlike `seconds` hardly moved by what else runs
 };
 
 struct MeshReport {

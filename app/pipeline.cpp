@@ -4,7 +4,6 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -12,6 +11,7 @@
 
 #include "app/attempt.h"
 #include "app/mesh_part.h"
+#include "app/stage_clock.h"
 #include "classify/extract.h"
 #include "finalize/finalize.h"
 #include "geom/sizing.h"
@@ -38,14 +38,13 @@ class Run {
     mesh_band(std::move(tree));
     extract();
     improve();
+    append_interior();
     accept();
     summarize();
     return std::move(result_);
   }
 
  private:
-  using Clock = std::chrono::steady_clock;
-
   void begin(const char* stage, double fraction) {
     if (observer_.cancelled()) throw Cancelled();
     observer_.stage(stage, fraction);
@@ -54,14 +53,15 @@ class Run {
     const auto known =
         std::find_if(times.begin(), times.end(), [&](const StageTime& t) { return t.name == stage; });
     stage_ = static_cast<std::size_t>(known - times.begin());
-    if (known == times.end()) times.push_back({stage, 0.0});
+    if (known == times.end()) times.push_back({stage});
   }
 
   void end() {
     auto& times = result_.report.times;
-    if (stage_ < times.size())
-      times[stage_].seconds += std::chrono::duration<double>(Clock::now() - started_).count();
-    started_ = Clock::now();
+    const StageTime lap = clock_.lap({});
+    if (stage_ >= times.size()) return;
+    times[stage_].seconds += lap.seconds;
+    times[stage_].cpu_seconds += lap.cpu_seconds;
   }
 
   void choose_size() {
@@ -144,7 +144,7 @@ class Run {
     place_points(*next, model_, size_);
     observer_.note(fmt::format("points: {} on the boundary, {} in all, {} triangulated; {} template octants",
                                next->seeds.surface_points, next->seeds.points.size(), next->split.band.size(),
-                               next->split.templates.size()));
+                               next->split.templates));
     begin("triangulation", 0.3);
     triangulate(*next, model_);
     begin("classification", 0.45);
@@ -172,25 +172,44 @@ class Run {
     const TetMesh& tets = band_->triangulation.mesh();
     std::vector<Vec3> points = tets.points.values();
     std::vector<ModelRef> on = band_->on;
-    const ExtraTets interior =
-        template_tets(band_->tree, band_->vertices, band_->labels, band_->split, points, on);
-    result_.report.template_tets = interior.tets.size();
-    result_.mesh = extract_mesh(*band_->band, tets, points, on, *band_->chains, interior);
-    if (observer_.wants_dumps()) observer_.dump("classified", result_.mesh);
+    const ExtraTets near = near_tets(band_->tree, band_->vertices, band_->labels, band_->split, points, on);
+    result_.report.template_tets = near.tets.size();
+    fixed_vertices_ = near.first.size();
+    result_.mesh = extract_mesh(*band_->band, tets, points, on, *band_->chains, near);
+    band_->forget_band();
+    dump("classified");
   }
 
+  /// The mesh so far together with what will be appended to it.
+  void dump(const char* stage) {
+    if (!observer_.wants_dumps()) return;
+    Mesh whole = result_.mesh;
+    append_deep(band_->tree, band_->vertices, band_->labels, band_->split, whole);
+    observer_.dump(stage, whole);
+  }
+
+  /// Deep octants have good shapes already, and are appended only after the others have been worked on.
   void improve() {
     if (!options_.finalize || !result_.report.faults.empty()) return;
     begin("finalization", 0.65);
     FinalizeOptions finalize_options;
     finalize_options.threads = options_.threads;
+    finalize_options.fixed_vertices = fixed_vertices_;
+    finalize_options.volume_beyond = deep_volumes(band_->tree, band_->labels, band_->split, model_.count(3));
     finalize_options.size_at = [this](const Vec3& p) { return band_->tree.size_at(p); };
     const FinalizeReport report = finalize(result_.mesh, model_, finalize_options, observer_);
     observer_.note(fmt::format(
         "finalization: smallest dihedral {:.2f} -> {:.2f} degrees, {} below target ({} by geometry)",
         report.min_dihedral_before * 180.0 / M_PI, report.min_dihedral_after * 180.0 / M_PI,
         report.below_target, report.limited_by_geometry));
-    if (observer_.wants_dumps()) observer_.dump("finalized", result_.mesh);
+    dump("finalized");
+  }
+
+  void append_interior() {
+    begin("interior", 0.85);
+    result_.report.template_tets +=
+        append_deep(band_->tree, band_->vertices, band_->labels, band_->split, result_.mesh);
+    band_.reset();
   }
 
   void accept() {
@@ -201,10 +220,10 @@ class Run {
       if (!claim.holds) report.faults.insert(report.faults.end(), claim.faults.begin(), claim.faults.end());
     report.status =
         report.acceptance.holds() && report.faults.empty() ? MeshStatus::kComplete : MeshStatus::kIncomplete;
-    end();
   }
 
   void summarize() {
+    begin("summary", 0.98);
     MeshReport& report = result_.report;
     const Mesh& mesh = result_.mesh;
     report.quality = quality_summary(mesh);
@@ -222,14 +241,16 @@ class Run {
       const auto& region = model_.face(f).region;
       if (region[0] != region[1]) report.cad_area += model_.face(f).area;
     }
+    end();
   }
 
   const Model& model_;
   const MeshOptions& options_;
   Observer& observer_;
   MeshResult result_;
-  Clock::time_point started_ = Clock::now();
+  StageClock clock_;
   double size_ = 0.0;
+  std::size_t fixed_vertices_ = 0;  ///< the first vertices of the mesh, which the deep interior shares
   std::size_t stage_ = std::numeric_limits<std::size_t>::max();  ///< index of the running stage's time
   std::unique_ptr<Attempt> band_;
 };

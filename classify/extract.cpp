@@ -11,23 +11,31 @@ namespace {
 class Extractor {
  public:
   Extractor(std::span<const Vec3> points, std::span<const ModelRef> on)
-      : points_(points), on_(on), number_(points.size(), UINT32_MAX) {}
+      : points_(points), on_(on), number_(points.size(), kUnused) {}
 
   void use(std::uint32_t p) { number_[p] = 0; }
 
-  void number() {
-    for (std::uint32_t p = 0; p < number_.size(); ++p) {
-      if (number_[p] == UINT32_MAX) continue;
-      number_[p] = static_cast<std::uint32_t>(mesh.points.size());
-      mesh.points.push_back(points_[p]);
-      mesh.point_on.push_back(on_[p]);
-    }
+  /// Numbers `first` in their order, then the other used points in theirs.
+  void number(std::span<const std::uint32_t> first) {
+    for (const std::uint32_t p : first) take(p);
+    for (const std::uint32_t p : first) number_[p] = kUnused;
+    for (std::uint32_t p = 0; p < number_.size(); ++p)
+      if (number_[p] != kUnused) take(p);
+    for (std::uint32_t n = 0; n < first.size(); ++n) number_[first[n]] = n;
   }
   [[nodiscard]] std::uint32_t operator()(std::uint32_t p) const { return number_[p]; }
 
   Mesh mesh;
 
  private:
+  static constexpr std::uint32_t kUnused = UINT32_MAX;
+
+  void take(std::uint32_t p) {
+    number_[p] = static_cast<std::uint32_t>(mesh.points.size());
+    mesh.points.push_back(points_[p]);
+    mesh.point_on.push_back(on_[p]);
+  }
+
   std::span<const Vec3> points_;
   std::span<const ModelRef> on_;
   std::vector<std::uint32_t> number_;
@@ -57,7 +65,7 @@ Mesh extract_mesh(Band& band, const TetMesh& tets, std::span<const Vec3> points,
   }
   for (const auto& t : extra.tets)
     for (const std::uint32_t p : t) out.use(p);
-  out.number();
+  out.number(extra.first);
   Mesh& mesh = out.mesh;
   for (const TetId t : kept) {
     const auto& v = tets.tets[t];

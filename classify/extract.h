@@ -12,6 +12,7 @@ namespace octet {
 struct ExtraTets {
   std::vector<std::array<std::uint32_t, 4>> tets;  ///< positive, over the point numbers
   std::vector<std::int32_t> region;
+  std::vector<std::uint32_t> first;  ///< points that become the first vertices of the mesh, in this order
   /// Whether the band's own tetrahedron fills the space of these and is dropped; may be empty.
   std::function<bool(const Vec3& centroid)> covers;
 };

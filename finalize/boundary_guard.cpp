@@ -29,7 +29,7 @@ std::uint64_t rim_key(VertexId v, int face) {
 
 }  // namespace
 
-BoundaryGuard::BoundaryGuard(const Model& model, const WorkMesh& mesh)
+BoundaryGuard::BoundaryGuard(const Model& model, const WorkMesh& mesh, std::span<const double> volume_beyond)
     : model_(&model),
       planar_(static_cast<std::size_t>(model.count(2)) + 1, 0),
       plane_normal_(planar_.size(), Vec3::Zero()),
@@ -50,6 +50,7 @@ BoundaryGuard::BoundaryGuard(const Model& model, const WorkMesh& mesh)
         signed_volume(mesh.point(t, 0), mesh.point(t, 1), mesh.point(t, 2), mesh.point(t, 3));
   }
   for (std::size_t r = 1; r < volume_.size(); ++r) {
+    if (r < volume_beyond.size()) volume_[r] += volume_beyond[r];
     exact_volume_[r] = model.region(static_cast<int>(r)).volume;
     allowed_[r] = kVolumeBound * std::abs(exact_volume_[r]);
   }

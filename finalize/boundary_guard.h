@@ -45,7 +45,8 @@ struct VolumeChange {
 /// exact normals over the triangle; both are held to a bound, or to what was there before.
 class BoundaryGuard {
  public:
-  BoundaryGuard(const Model& model, const WorkMesh& mesh);
+  /// `volume_beyond`: of what is not in the mesh, per region tag; empty: nothing.
+  BoundaryGuard(const Model& model, const WorkMesh& mesh, std::span<const double> volume_beyond = {});
 
   [[nodiscard]] bool planar(int face) const { return planar_[static_cast<std::size_t>(face)]; }
   /// Seat of a vertex in the closure of the face; projected at the first call.

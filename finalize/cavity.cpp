@@ -104,7 +104,7 @@ bool match_sides(const CavityChange& change, std::vector<Side>& sides, std::vect
     } else {
       match.outer = &first;
       match.tag = listed_tag(change.triangles, first.key, first.odd);
-      if (first.tet != TetId::kInvalid && match.tag == 0) return false;
+      if (match.tag == 0 && (first.tet != TetId::kInvalid || first.face_on == 0)) return false;
     }
     matches.push_back(match);
     i = end;
@@ -112,11 +112,15 @@ bool match_sides(const CavityChange& change, std::vector<Side>& sides, std::vect
   return true;
 }
 
-/// Whether faces without a tag separate nothing: same region on both sides, both sides there.
+/// Whether faces without a tag separate nothing: same region on both sides, both sides there or, on the seam
+/// to tetrahedra that are not given, as it was.
 bool regions_agree(const WorkMesh& mesh, const CavityChange& change, const std::vector<Match>& matches) {
   for (const Match& match : matches) {
     if (match.inner == nullptr || match.tag != 0) continue;
-    if (!match.outer->added && match.outer->tet == TetId::kInvalid) return false;
+    if (!match.outer->added && match.outer->tet == TetId::kInvalid) {
+      if (match.outer->face_on != 0) return false;
+      continue;
+    }
     const std::int32_t other =
         match.outer->added ? change.added[match.outer->tet].region : mesh.region[TetId(match.outer->tet)];
     if (other != change.added[match.inner->tet].region) return false;

@@ -39,7 +39,7 @@ bool collect_sectors(const WorkMesh& mesh, const EdgeRing& ring, std::vector<Sec
     if (ring.face_on[i] != 0) walls.push_back(i);
   }
   if (walls.empty()) {
-    if (n < 3) return false;
+    if (n < 3 || !ring.closed) return false;
     sectors.push_back({ring.rim, mesh.region[ring.tets[0]], 0});
     return true;
   }

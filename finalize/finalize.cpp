@@ -62,7 +62,7 @@ void chase(Workshop& shop, double target, double polish, Observer& observer) {
 
 FinalizeReport finalize(Mesh& mesh, const Model& model, const FinalizeOptions& options, Observer& observer) {
   OCTET_CHECK(static_cast<bool>(options.size_at));
-  Workshop shop(to_work_mesh(mesh), model, options);
+  Workshop shop(to_work_mesh(mesh, options.fixed_vertices), model, options);
   const DihedralRange before = dihedrals(shop.mesh);
   const double target = shape_of_angle(options.target_dihedral), polish = shape_of_angle(kPolishAngle);
   collapse_short_edges(shop);
@@ -76,7 +76,7 @@ FinalizeReport finalize(Mesh& mesh, const Model& model, const FinalizeOptions& o
   const DihedralRange after = dihedrals(shop.mesh);
   if (after.smallest < before.smallest) {
     // Shapes grow by the sine, which an obtuse angle may have won by: then the mesh given is the better one.
-    shop.mesh = to_work_mesh(mesh);
+    shop.mesh = to_work_mesh(mesh, options.fixed_vertices);
     shop.report = FinalizeReport{};
     shop.report.min_dihedral_before = shop.report.min_dihedral_after = before.smallest;
     shop.report.max_dihedral_after = before.largest;

@@ -22,6 +22,10 @@ struct FinalizeOptions {
   double max_seconds =
       0.0;  ///< 0: the built-in work budget only (deterministic; counts of operations, not time)
   int threads = 1;
+  /// The first so many vertices stay where they are and keep their numbers: tetrahedra that are not given
+  /// here hold on to them, beyond faces that have one tetrahedron and are no triangles.
+  std::size_t fixed_vertices = 0;
+  std::vector<double> volume_beyond;  ///< of what is not given, per region tag; empty: nothing
   /// Local mesh size asked for at a place (model units); required.
   std::function<double(const Vec3&)> size_at;
 };

@@ -84,7 +84,7 @@ void freeze_pinched(WorkMesh& work) {
   std::vector<TetId> tets;
   for (std::size_t i = 0; i < work.points.size(); ++i) {
     const VertexId v(i);
-    if (work.on[v].dim > 1 || !work.alive(v)) continue;
+    if (work.on[v].dim > 1 || work.frozen[v] || !work.alive(v)) continue;
     star(work, v, tets);
     work.frozen[v] = tets.size() != degree[v];
   }
@@ -135,13 +135,14 @@ void remove_piece(WorkMesh& mesh, VertexId a, VertexId b) {
   mesh.pieces.erase(it);
 }
 
-WorkMesh to_work_mesh(const Mesh& mesh) {
+WorkMesh to_work_mesh(const Mesh& mesh, std::size_t fixed) {
   WorkMesh work;
   const std::size_t vertices = mesh.points.size(), tets = mesh.tets.size();
   work.points.values() = mesh.points;
   work.on.values() = mesh.point_on;
   work.tet_of.assign(vertices, TetId());
   work.frozen.assign(vertices, 0);
+  std::fill_n(work.frozen.begin(), fixed, 1);
   work.vertex_mark.assign(vertices, 0);
   work.tets.resize(tets);
   work.neighbours.resize(tets);

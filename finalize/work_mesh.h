@@ -24,7 +24,8 @@ namespace octet {
 ///  2. `neighbours[t][i]` is the tetrahedron across face i, and points back; invalid on the outer boundary.
 ///  3. `face_on[t][i]` is 0 for faces inside a region, else the model face's tag, positive when the face's
 ///     outward normal is the model face's normal, negative when it is opposite. The two sides have opposite
-///     signs. Faces without a neighbour, or between regions, are never 0.
+///     signs. Faces without a neighbour, or between regions, are never 0, but for those of three frozen
+///     vertices on the seam to tetrahedra that are not given; these faces stay.
 ///  4. `tet_of[v]` is a live tetrahedron at v; invalid for removed vertices.
 ///  5. `pieces` holds the mesh edges on model edges; both ends are live and on the edge's closure.
 ///  6. `quality[t]` is the shape (finalize/shape.h) of t.
@@ -33,7 +34,7 @@ struct WorkMesh {
   IdVector<VertexId, ModelRef> on;
   IdVector<VertexId, TetId> tet_of;
   /// Vertices whose tetrahedra do not hang together by faces (parts that touch at a vertex or an edge): their
-  /// stars cannot be walked, so they stay as they are.
+  /// stars cannot be walked, so they stay as they are. So do those that others hold on to.
   IdVector<VertexId, char> frozen;
 
   IdVector<TetId, std::array<VertexId, 4>> tets;
@@ -69,8 +70,9 @@ struct WorkMesh {
 void add_piece(WorkMesh& mesh, VertexId a, VertexId b, std::int32_t signed_tag);
 void remove_piece(WorkMesh& mesh, VertexId a, VertexId b);
 
-/// Requires the invariants of Mesh. Vertex and tetrahedron numbers are kept. O(n log n).
-[[nodiscard]] WorkMesh to_work_mesh(const Mesh& mesh);
+/// Requires the invariants of Mesh, but for faces of three fixed vertices that have one tetrahedron and are
+/// no triangles. The first `fixed` vertices are frozen. Vertex and tetrahedron numbers are kept. O(n log n).
+[[nodiscard]] WorkMesh to_work_mesh(const Mesh& mesh, std::size_t fixed = 0);
 /// Live vertices and tetrahedra in the order of their numbers, edges and triangles sorted by (tag, vertices).
 [[nodiscard]] Mesh to_mesh(const WorkMesh& work);
 

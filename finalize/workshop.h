@@ -13,7 +13,10 @@ namespace octet {
 /// The mesh, the exact geometry that guards it, and the account of the work done.
 struct Workshop {
   Workshop(WorkMesh work_mesh, const Model& the_model, const FinalizeOptions& the_options)
-      : mesh(std::move(work_mesh)), model(the_model), options(the_options), guard(the_model, mesh) {}
+      : mesh(std::move(work_mesh)),
+        model(the_model),
+        options(the_options),
+        guard(the_model, mesh, the_options.volume_beyond) {}
 
   WorkMesh mesh;
   const Model& model;

@@ -43,9 +43,9 @@ std::vector<std::uint8_t> near_a_free_point(const Octree& tree, const OctreeVert
 
 }  // namespace
 
-std::vector<TemplateOctant> template_octants(const Model& model, const Octree& tree,
-                                             const OctreeVertices& vertices, const OctreeLabels& labels,
-                                             std::span<const std::uint8_t> kept, const SeedPoints& points) {
+std::vector<OctantId> template_octants(const Model& model, const Octree& tree, const OctreeVertices& vertices,
+                                       const OctreeLabels& labels, std::span<const std::uint8_t> kept,
+                                       const SeedPoints& points) {
   const std::vector<std::uint8_t> boundary = near_the_boundary(tree, vertices, labels);
   const std::vector<std::uint8_t> occupied = near_a_free_point(tree, vertices, points);
   const auto suits = [&](OctantId octant, const OctantLattice& lattice) {
@@ -70,21 +70,21 @@ std::vector<TemplateOctant> template_octants(const Model& model, const Octree& t
     }
   });
   // Two passes: the list is large, and growing it would copy it.
-  std::vector<TemplateOctant> result;
+  std::vector<OctantId> result;
   result.reserve(static_cast<std::size_t>(std::count(suitable.begin(), suitable.end(), 1)));
   for (std::size_t i = 0; i < tree.size(); ++i) {
-    if (suitable[i] != 0) result.push_back({OctantId(i), octant_lattice(tree, vertices, OctantId(i))});
+    if (suitable[i] != 0) result.emplace_back(i);
   }
   return result;
 }
 
 std::vector<std::uint8_t> band_vertices(const Octree& tree, const OctreeVertices& vertices,
-                                        std::span<const TemplateOctant> templates,
+                                        std::span<const OctantId> templates,
                                         std::span<const std::uint8_t> kept) {
   std::vector<std::uint8_t> band(vertices.size(), 0);
   auto next = templates.begin();
   for (std::size_t i = 0; i < tree.size(); ++i) {
-    if (next != templates.end() && next->octant == OctantId(i)) {
+    if (next != templates.end() && *next == OctantId(i)) {
       ++next;
     } else {
       flag_vertices(tree, vertices, OctantId(i), band);

@@ -11,29 +11,23 @@
 
 namespace octet {
 
-/// An octant whose Delaunay tetrahedra are known without triangulating.
-struct TemplateOctant {
-  OctantId octant;
-  OctantLattice vertex;  ///< octree vertex numbers of its 3x3x3 lattice, UINT32_MAX where absent
-};
-
 /// The interior octants all of whose vertices, hanging ones included, are kept, and whose tetrahedra have
 /// circumspheres that hold neither a point of the boundary nor a free point. So no point of the boundary that
-/// is added later can break them either. In array order.
+/// is added later can break them either. In array order: 4 bytes each, their lattices are cheap to ask for.
 ///
 /// `kept` tells for each octree vertex whether it is a point. `points` are all points; those that are octree
 /// vertices (by `order`) or lie on the boundary (`on.dim` < 3) need no look.
-[[nodiscard]] std::vector<TemplateOctant> template_octants(const Model& model, const Octree& tree,
-                                                           const OctreeVertices& vertices,
-                                                           const OctreeLabels& labels,
-                                                           std::span<const std::uint8_t> kept,
-                                                           const SeedPoints& points);
+[[nodiscard]] std::vector<OctantId> template_octants(const Model& model, const Octree& tree,
+                                                     const OctreeVertices& vertices,
+                                                     const OctreeLabels& labels,
+                                                     std::span<const std::uint8_t> kept,
+                                                     const SeedPoints& points);
 
 /// Per octree vertex: whether it is kept and lies on an octant that is no template octant. These and the free
 /// points are all that the triangulation needs: each Delaunay tetrahedron of all points lies within one
 /// template octant, or outside all of them and then has only such vertices.
 [[nodiscard]] std::vector<std::uint8_t> band_vertices(const Octree& tree, const OctreeVertices& vertices,
-                                                      std::span<const TemplateOctant> templates,
+                                                      std::span<const OctantId> templates,
                                                       std::span<const std::uint8_t> kept);
 
 /// Largest overhang of an octant's circumspheres over its faces, in lengths of the octant: (sqrt 3 - 1) / 2

@@ -46,6 +46,109 @@ TEST(Finalize, BringsAJitteredBoxWithFlatTetrahedraToTwentyDegreesAndKeepsItsVol
   EXPECT_NEAR(testing::total_volume(part.mesh), 0.96, 1e-12);
 }
 
+/// Numbers the vertices anew: those for which first(v) holds come first. Returns how many they are.
+std::size_t put_first(Mesh& mesh, const std::vector<char>& first) {
+  std::vector<Mesh::Index> order;
+  for (const char wanted : {1, 0})
+    for (Mesh::Index v = 0; v < mesh.points.size(); ++v)
+      if (first[v] == wanted) order.push_back(v);
+  std::vector<Mesh::Index> number(order.size());
+  Mesh old = mesh;
+  for (Mesh::Index n = 0; n < order.size(); ++n) {
+    number[order[n]] = n;
+    mesh.points[n] = old.points[order[n]];
+    mesh.point_on[n] = old.point_on[order[n]];
+  }
+  const auto renumber = [&](auto& elements) {
+    for (auto& element : elements)
+      for (Mesh::Index& v : element) v = number[v];
+  };
+  renumber(mesh.edges);
+  renumber(mesh.triangles);
+  renumber(mesh.tets);
+  return static_cast<std::size_t>(std::count(first.begin(), first.end(), 1));
+}
+
+TEST(Finalize, KeepsTheSeamToTetrahedraThatAreNotGiven) {
+  Part part = testing::box_part({1, 1, 1}, 8, 8, 8, true);
+  testing::Dice dice(3);
+  testing::jitter(part.mesh, part.model, 0.04, dice);
+  // Taken away: the tetrahedra around inner vertices that are three cells from the boundary.
+  const Vec3 centre = part.model.box().centre();
+  const auto is_deep = [&](const auto& t) {
+    Vec3 middle = Vec3::Zero();
+    for (const Mesh::Index v : t) middle += 0.25 * part.mesh.points[v];
+    return (middle - centre).norm() < 0.2;
+  };
+  std::vector<char> deep(part.mesh.points.size(), 0), given(deep), seam(deep);
+  for (const auto& t : part.mesh.tets)
+    for (const Mesh::Index v : t) (is_deep(t) ? deep : given)[v] = 1;
+  for (std::size_t v = 0; v < seam.size(); ++v) seam[v] = deep[v] && given[v];
+  FinalizeOptions options = testing::options_of_size(0.125);
+  options.fixed_vertices = put_first(part.mesh, seam);
+  ASSERT_GT(options.fixed_vertices, 20u);
+
+  Mesh shell = part.mesh, core;
+  shell.tets.clear();
+  shell.tet_in.clear();
+  std::vector<char> used(part.mesh.points.size(), 0);
+  options.volume_beyond = {0.0, 0.0};
+  for (const auto& t : part.mesh.tets) {
+    const auto& p = part.mesh.points;
+    if (is_deep(t)) {
+      core.tets.push_back(t);
+      options.volume_beyond[1] += signed_volume(p[t[0]], p[t[1]], p[t[2]], p[t[3]]);
+    } else {
+      shell.tets.push_back(t);
+      shell.tet_in.push_back(1);
+      for (const Mesh::Index v : t) used[v] = 1;
+    }
+  }
+  // Vertices of the core alone go to the end of the numbers, and out.
+  for (const Mesh::Index v : shell.tets.back()) ASSERT_TRUE(used[v]);
+  std::vector<Mesh::Index> number(used.size());
+  const Mesh whole = shell;
+  shell.points.clear();
+  shell.point_on.clear();
+  for (std::size_t v = 0; v < used.size(); ++v) {
+    if (!used[v]) continue;
+    number[v] = static_cast<Mesh::Index>(shell.points.size());
+    shell.points.push_back(whole.points[v]);
+    shell.point_on.push_back(whole.point_on[v]);
+  }
+  const auto renumber = [&](auto& elements) {
+    for (auto& element : elements)
+      for (Mesh::Index& v : element) v = number[v];
+  };
+  renumber(shell.edges);
+  renumber(shell.triangles);
+  renumber(shell.tets);
+
+  Observer observer;
+  const double before = quality_summary(shell).min_dihedral;
+  const FinalizeReport report = finalize(shell, part.model, options, observer);
+  EXPECT_GT(report.smoothed, 0u);
+  EXPECT_GE(quality_summary(shell).min_dihedral, before);
+  for (std::size_t v = 0; v < options.fixed_vertices; ++v) EXPECT_EQ(shell.points[v], part.mesh.points[v]);
+  // With the core put back the mesh is sound.
+  std::vector<Mesh::Index> back(used.size());
+  for (std::size_t v = 0; v < used.size(); ++v) {
+    if (v < options.fixed_vertices) {
+      back[v] = static_cast<Mesh::Index>(v);
+    } else if (!used[v]) {
+      back[v] = static_cast<Mesh::Index>(shell.points.size());
+      shell.points.push_back(part.mesh.points[v]);
+      shell.point_on.push_back(part.mesh.point_on[v]);
+    }
+  }
+  for (const auto& t : core.tets) {
+    shell.tets.push_back({back[t[0]], back[t[1]], back[t[2]], back[t[3]]});
+    shell.tet_in.push_back(1);
+  }
+  EXPECT_EQ(faults_of(shell, part.model, testing::face_euler(part.mesh, part.model.count(2))), "");
+  EXPECT_NEAR(testing::total_volume(shell), 1.0, 1e-12);
+}
+
 TEST(Finalize, BringsABallToEighteenDegrees) {
   Part part = testing::ball_part(8);
   testing::Dice dice(5);

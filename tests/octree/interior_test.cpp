@@ -109,11 +109,11 @@ TEST(Interior, TemplateOctantsHaveAllTheirVertices) {
   const auto templates = template_octants(model, l.tree, l.vertices, l.labels, kept, {});
   ASSERT_GT(templates.size(), 1000u);
   std::size_t hanging = 0;
-  for (const TemplateOctant& t : templates) {
-    EXPECT_EQ(l.labels.type[t.octant.index()], OctantType::kIn);
-    EXPECT_EQ(t.vertex, octant_lattice(l.tree, l.vertices, t.octant));
-    for (const std::uint32_t v : t.vertex) EXPECT_TRUE(v == kNoVertex || kept[v] != 0);
-    if (27 - std::ranges::count(t.vertex, kNoVertex) > 8) ++hanging;
+  for (const OctantId t : templates) {
+    EXPECT_EQ(l.labels.type[t.index()], OctantType::kIn);
+    const OctantLattice lattice = octant_lattice(l.tree, l.vertices, t);
+    for (const std::uint32_t v : lattice) EXPECT_TRUE(v == kNoVertex || kept[v] != 0);
+    if (27 - std::ranges::count(lattice, kNoVertex) > 8) ++hanging;
   }
   EXPECT_GT(hanging, 20u);
 }
@@ -122,9 +122,9 @@ TEST(Interior, CircumspheresOfPlainTemplateOctantsHoldNoPointOfTheBoundary) {
   for (const auto& [name, model, size] : test::analytic_models()) {
     const Labelled l = label(model, size / 2);
     const auto kept = keep_inner(model, l, 0.6);
-    for (const TemplateOctant& t : template_octants(model, l.tree, l.vertices, l.labels, kept, {})) {
-      const double length = l.tree.length(l.tree[t.octant].level);
-      EXPECT_FALSE(model.closest(l.tree.box(t.octant).centre(), std::sqrt(0.75) * length)) << name;
+    for (const OctantId t : template_octants(model, l.tree, l.vertices, l.labels, kept, {})) {
+      const double length = l.tree.length(l.tree[t].level);
+      EXPECT_FALSE(model.closest(l.tree.box(t).centre(), std::sqrt(0.75) * length)) << name;
     }
   }
 }
@@ -147,9 +147,9 @@ TEST(Interior, AFreePointInsideKeepsTheOctantsAroundItOut) {
   points.add(Vec3(0.5, 0.0, 0.0), model_face(1), free_point_rank(1), 0.06);
   const auto with_point = template_octants(model, l.tree, l.vertices, l.labels, kept, points);
   EXPECT_EQ(with_point.size() + 27, without.size());
-  for (const TemplateOctant& t : with_point) {
-    const double length = l.tree.length(l.tree[t.octant].level);
-    EXPECT_GT((l.tree.box(t.octant).centre() - points.position[0]).norm(), std::sqrt(0.75) * length);
+  for (const OctantId t : with_point) {
+    const double length = l.tree.length(l.tree[t].level);
+    EXPECT_GT((l.tree.box(t).centre() - points.position[0]).norm(), std::sqrt(0.75) * length);
   }
 }
 
@@ -162,7 +162,7 @@ TEST(Interior, BandVerticesAreThoseOfOctantsThatAreNoTemplates) {
   std::set<std::uint32_t> expected;
   std::size_t next = 0;
   for (std::size_t i = 0; i < l.tree.size(); ++i) {
-    if (next < templates.size() && templates[next].octant == OctantId(i)) {
+    if (next < templates.size() && templates[next] == OctantId(i)) {
       ++next;
       continue;
     }
