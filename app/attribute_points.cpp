@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "base/vertex_order.h"
+#include "geom/face_match.h"
 #include "geom/opposite.h"
 
 namespace octet {
@@ -108,9 +109,23 @@ class AttributeLoop {
 
   void split(std::uint32_t piece) {
     const AttributePoint p = split_point(model_, mesh(), on_, chains_[piece]);
-    if (!split_piece(piece, p.t, p.point, p.clearance)) return;
-    for (const EdgePartner& b : edges_.partners(p.on.tag, p.t, kMatchShare * p.clearance))
-      match_on_edge(b, p.clearance);
+    if (split_piece(piece, p.t, p.point, p.clearance)) match_edge_point(p.on.tag, p.t, p.point, p.clearance);
+  }
+
+  /// Partners on edges and faces for a point that has just split an edge.
+  void match_edge_point(int edge, double t, const Vec3& p, double clearance) {
+    const TetId at = last_;
+    const double reach = kMatchShare * clearance;
+    for (const EdgePartner& b : edges_.partners(edge, t, reach)) match_on_edge(b, clearance);
+    for (const FacePartner& b :
+         face_partners(model_, model_edge(edge), p, model_.edge_derivative(edge, t), reach))
+      match_on_face(model_face(b.face), b.point, clearance, at);
+  }
+
+  void match_on_face(ModelRef face, const Vec3& b, double clearance, TetId near) {
+    if (near.valid() && !mesh().alive(near)) near = TetId();
+    if (near_a_point_of(face, b, kSamePoint * clearance, near)) return;
+    insert(b, face, near);
   }
 
   void match_on_edge(const EdgePartner& b, double clearance) {
@@ -128,9 +143,7 @@ class AttributeLoop {
     if (share > 0.25 && share < 0.75) {
       const Vec3 p = model_.edge_point(edge, t);
       const double clearance = std::min(share, 1.0 - share) * model_.edge_length(edge, piece.ta, piece.tb);
-      if (split_piece(n, t, p, clearance))
-        for (const EdgePartner& b : edges_.partners(edge, t, kMatchShare * clearance))
-          match_on_edge(b, clearance);
+      if (split_piece(n, t, p, clearance)) match_edge_point(edge, t, p, clearance);
     } else {
       split(n);
     }
@@ -155,9 +168,12 @@ class AttributeLoop {
     const TetId at = last_;
     for (const int side : {-1, 1}) {
       const auto b = opposite_point(model_, p.point, p.on.tag, p.normal, side, kMatchShare * p.clearance);
-      if (!b || b->on.dim != 2 || b->normal.dot(p.normal) > kFacing) continue;
-      if (near_a_point_of(b->on, b->point, kSamePoint * p.clearance, at)) continue;
-      insert(b->point, b->on, at);
+      if (!b || b->on.dim == 0) continue;
+      if (b->on.dim == 1) {
+        match_on_edge({b->on.tag, model_.edge_closest(b->on.tag, b->point).t, b->point}, p.clearance);
+        continue;
+      }
+      if (b->normal.dot(p.normal) <= kFacing) match_on_face(b->on, b->point, p.clearance, at);
     }
   }
 

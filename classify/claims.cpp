@@ -53,9 +53,16 @@ TriangleFoot foot_of_triangle(const ClaimInput& in, std::uint32_t t) {
   FaceFoot foot;
   if (seed != nullptr) foot = in.model.face_project(face, centre, seed->uv);
   if (!foot.converged) foot = in.model.face_project(face, centre);
+  const Vec3 own = in.cross(triangle);
+  // Beyond its trim a surface may fold back and offer a foot that is not the face's.
+  if (own.dot(foot.normal) < 0.0 && in.model.face_side(face, foot.uv) == TrimSide::kOut) {
+    const Foot trimmed = in.model.face_closest(face, centre);
+    foot.point = trimmed.point;
+    foot.uv = trimmed.uv;
+    foot.normal = trimmed.normal;
+  }
   result.normal = foot.normal;
   result.distance = (foot.point - centre).norm();
-  const Vec3 own = in.cross(triangle);
   result.turn = angle_between(own, foot.normal);
   for (const Mesh::Index v : triangle)
     if (in.mesh.point_on[v] == model_face(face))

@@ -163,6 +163,18 @@ bool draft_triangles(Workshop& shop, VertexId gone, VertexId kept, const std::ve
   return shop.guard.admits(draft.volumes);
 }
 
+/// Whether the model edge turns by more than a right angle along a new piece of it.
+bool cuts_a_bend(Workshop& shop, const NewPiece& piece) {
+  constexpr double kQuarterCircle = 1.1107;  // arc over chord
+  const ModelEdge& edge = shop.model.edge(piece.edge);
+  const auto parameter = [&](VertexId v, double at_vertex) {
+    return shop.mesh.on[v].dim == 0 ? at_vertex : shop.guard.parameter(shop.mesh, v);
+  };
+  const double length =
+      shop.model.edge_length(piece.edge, parameter(piece.from, edge.t0), parameter(piece.to, edge.t1));
+  return length > kQuarterCircle * (shop.mesh.points[piece.to] - shop.mesh.points[piece.from]).norm();
+}
+
 }  // namespace
 
 bool collapse_edge(Workshop& shop, VertexId gone, VertexId kept, double floor) {
@@ -195,6 +207,7 @@ bool collapse_edge(Workshop& shop, VertexId gone, VertexId kept, double floor) {
       removed_pieces.push_back({gone, v});
       if (v == kept) continue;
       added_pieces.push_back(tag > 0 ? NewPiece{kept, v, tag} : NewPiece{v, kept, -tag});
+      if (cuts_a_bend(shop, added_pieces.back())) return false;
     }
   }
   change.removed_pieces = removed_pieces;

@@ -2,6 +2,7 @@
 // Points on model faces: the exact cuts of octant edges, thinned by spacing, in matched pairs.
 #include <optional>
 
+#include "geom/face_match.h"
 #include "geom/opposite.h"
 #include "octree/seed_state.h"
 
@@ -21,6 +22,14 @@ class FaceSeeder {
  public:
   explicit FaceSeeder(SeedState& state) : state_(state), model_(state.model) {}
 
+  /// A vertex or edge that comes close to a face it does not bound gets a partner on that face.
+  void match_vertices_and_edges() {
+    for (int v = 1; v <= model_.count(0); ++v) match(state_.seeds.model_vertex[v], Vec3::Zero());
+    for (const EdgePiece& piece : state_.seeds.pieces)
+      if (state_.seeds.points.on[piece.b].dim == 1)
+        match(piece.b, model_.edge_derivative(piece.edge, piece.tb));
+  }
+
   void offer(const Hit& hit) {
     if (hit.on.dim != 2 || hit.kind != HitKind::kTransversal) return;
     const FacePoint a{hit.point, hit.on.tag, state_.tree.size_at(hit.point)};
@@ -38,6 +47,16 @@ class FaceSeeder {
   }
 
  private:
+  void match(std::uint32_t point, const Vec3& tangent) {
+    const ModelRef on = state_.seeds.points.on[point];
+    const Vec3 a = state_.seeds.points.position[point];
+    const double size = state_.tree.size_at(a);
+    for (const FacePartner& partner : face_partners(model_, on, a, tangent, kMatchDistance * size)) {
+      const FacePoint b{partner.point, partner.face, size};
+      if (is_free(b)) add(b);
+    }
+  }
+
   void add(const FacePoint& a) { state_.add(a.p, model_face(a.face), a.size); }
 
   /// Far enough from the points of the same face's closure, and outside the diametral ball of every edge
@@ -70,6 +89,7 @@ class FaceSeeder {
 
 void seed_model_faces(SeedState& state, const std::vector<OctantEdgeCut>& cuts) {
   FaceSeeder seeder(state);
+  seeder.match_vertices_and_edges();
   for (const OctantEdgeCut& cut : cuts) seeder.offer(cut.hit);
 }
 

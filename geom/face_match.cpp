@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Feet of edge points on other faces, slid until the chord makes equal angles with the edge and the face.
+#include "geom/face_match.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geom/facet_bvh.h"
+
+namespace octet {
+namespace {
+
+/// An edge steeper than this against a face (the sine of 45 degrees) leaves it.
+constexpr double kSteep = 0.7;
+
+/// Slides b along the face until (b - a) is perpendicular to the sum of the edge's direction and of that
+/// direction's shadow on the face. The step is exact for a line and a plane.
+bool mirror(const Model& model, const Vec3& a, const Vec3& along, FacePartner& b, Vec2 uv) {
+  constexpr int kSteps = 24;  // linear convergence where the face is curved
+  for (int i = 0; i < kSteps; ++i) {
+    const double steep = along.dot(b.normal);
+    if (std::abs(steep) > kSteep) return false;
+    const Vec3 shadow = (along - steep * b.normal).normalized();
+    const Vec3 sum = along + shadow;
+    const double step = (b.point - a).dot(sum) / shadow.dot(sum);
+    if (std::abs(step) < 1e-10 * (b.point - a).norm()) return true;
+    const FaceFoot foot = model.face_project(b.face, b.point - step * shadow, uv);
+    if (!foot.converged) return false;
+    b.point = foot.point;
+    b.normal = foot.normal;
+    uv = foot.uv;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::vector<FacePartner> face_partners(const Model& model, ModelRef on, const Vec3& a, const Vec3& tangent,
+                                       double max_distance) {
+  std::vector<int> faces;
+  model.bvh().visit_within(a, max_distance, 0, [&](const FacetFoot& f) {
+    const int face = model.facets().face[f.triangle];
+    if (!model.in_closure(on, model_face(face))) faces.push_back(face);
+  });
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  std::vector<FacePartner> partners;
+  const bool is_edge = tangent.squaredNorm() > 0.0;
+  for (const int face : faces) {
+    const Foot foot = model.face_closest(face, a);
+    if (foot.on.dim != 2 || foot.distance > max_distance || foot.distance <= model.tolerance()) continue;
+    FacePartner b{face, foot.point, foot.normal};
+    if (is_edge && (!mirror(model, a, tangent.normalized(), b, foot.uv) ||
+                    (b.point - foot.point).norm() > foot.distance))
+      continue;
+    if (model.face_closest(face, b.point).on.dim != 2) continue;
+    partners.push_back(b);
+  }
+  return partners;
+}
+
+}  // namespace octet
