@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# The installed tree: bin/octet, lib/liboctet_*.a, include/octet/<room>/*.h, and a package for find_package(octet).
-include(GNUInstallDirs)
+# The installed tree: bin/octet, lib/liboctet_*.a, include/octet/<room>/*.h, libexec/octet/octet-reader,
+# and a package for find_package(octet).
 include(CMakePackageConfigHelpers)
 
 # octet::octet is the whole library under one name.
@@ -22,6 +22,7 @@ foreach(room IN LISTS rooms)
 endforeach()
 install(TARGETS ${rooms} octet_whole EXPORT octetTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(TARGETS octet RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS octet_reader RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/octet)
 install(EXPORT octetTargets NAMESPACE octet:: DESTINATION ${package_dir})
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/octetConfig.cmake.in
                               ${PROJECT_BINARY_DIR}/octetConfig.cmake INSTALL_DESTINATION ${package_dir})

@@ -5,12 +5,9 @@
 #include <fmt/format.h>
 
 #include <BRepLib.hxx>
-#include <Standard_Failure.hxx>
 #include <mutex>
 
-#include "base/error.h"
 #include "geom/occt/measure.h"
-#include "geom/occt/numbering.h"
 #include "geom/occt/tessellate.h"
 #include "geom/occt/topology.h"
 
@@ -32,34 +29,33 @@ void apply_labels(const EntityLabels& labels, ModelParts& parts) {
   for (std::size_t i = 1; i < parts.regions.size(); ++i) parts.regions[i].name = labels.name[3][i];
 }
 
-ModelParts assemble_unguarded(const CadDocument& document, const ReadOptions& options) {
-  ModelParts parts;
-  parts.unit = document.unit;
-  const ShapeMaps as_read(document.shape);
-  SolidSet set = collect_solids(document.shape, as_read);
-  fuse_touching(set);
-  const Numbering numbering = number_entities(as_read, set, set.notes);
-  for (int tag = 1; tag <= numbering.count(3); ++tag) BRepLib::BuildCurves3d(numbering.solid(tag));
-  parts.notes = set.notes;
-  fill_topology(numbering, parts);
-  tessellate(numbering, options.facet_deflection, parts);
-  measure(numbering, parts);
-  apply_labels(label_entities(document.labels, numbering, set), parts);
-  return parts;
-}
-
 }  // namespace
 
 OcctLock::OcctLock() { occt_mutex().lock(); }
 OcctLock::~OcctLock() { occt_mutex().unlock(); }
 
-ModelParts assemble(const CadDocument& document, const ReadOptions& options) {
-  try {
-    return assemble_unguarded(document, options);
-  } catch (const Standard_Failure& failure) {
-    throw InputError(fmt::format("the part cannot be analysed: {} ({})", failure.GetMessageString(),
-                                 failure.DynamicType()->Name()));
-  }
+AssembledPart assemble(const CadDocument& document, const ReadOptions& options, const StageLog& log) {
+  AssembledPart part;
+  ModelParts& parts = part.parts;
+  parts.unit = document.unit;
+  const ShapeMaps as_read(document.shape);
+  log("collecting the solids");
+  SolidSet set = collect_solids(document.shape, as_read);
+  log(fmt::format("fusing {} solid(s) that may touch", set.solids.size()));
+  fuse_touching(set);
+  part.numbering = number_entities(as_read, set, set.notes);
+  const Numbering& numbering = part.numbering;
+  log("building the edges' curves");
+  for (int tag = 1; tag <= numbering.count(3); ++tag) BRepLib::BuildCurves3d(numbering.solid(tag));
+  parts.notes = set.notes;
+  log("analysing the topology");
+  fill_topology(numbering, parts);
+  log("triangulating the faces");
+  tessellate(numbering, options.facet_deflection, parts);
+  log("measuring the entities");
+  measure(numbering, parts);
+  apply_labels(label_entities(document.labels, numbering, set), parts);
+  return part;
 }
 
 }  // namespace octet

@@ -2,7 +2,9 @@
 // An OCCT document to all that makes a model.
 #pragma once
 
+#include "geom/occt/child_process.h"
 #include "geom/occt/document.h"
+#include "geom/occt/numbering.h"
 #include "geom/occt/read_part.h"
 
 namespace octet {
@@ -17,7 +19,13 @@ class OcctLock {
   OcctLock& operator=(const OcctLock&) = delete;
 };
 
+struct AssembledPart {
+  Numbering numbering;  ///< the shapes behind the tags
+  ModelParts parts;
+};
+
 /// Solids, numbers, topology, measures and facets. Triangulates document.shape in place. Under OcctLock.
-[[nodiscard]] ModelParts assemble(const CadDocument& document, const ReadOptions& options);
+[[nodiscard]] AssembledPart assemble(const CadDocument& document, const ReadOptions& options,
+                                     const StageLog& log);
 
 }  // namespace octet

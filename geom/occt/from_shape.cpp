@@ -6,23 +6,21 @@
 #include <Standard_Failure.hxx>
 
 #include "base/error.h"
-#include "geom/occt/assemble.h"
-#include "geom/occt/silence.h"
+#include "geom/occt/reader.h"
 
 namespace octet {
 
 Model model_from_shape(const TopoDS_Shape& shape, const ReadOptions& options) {
   if (shape.IsNull()) throw InputError("the shape is null");
-  const OcctLock lock;
-  const Silence silence;
-  CadDocument document;
+  ReadJob job;
+  job.options = options;
   try {
     // The copy shares the geometry; topology and triangulation are its own.
-    document.shape = BRepBuilderAPI_Copy(shape, false, false).Shape();
+    job.shape = BRepBuilderAPI_Copy(shape, false, false).Shape();
   } catch (const Standard_Failure& failure) {
     throw InputError(std::string("the shape cannot be copied: ") + failure.GetMessageString());
   }
-  return Model(assemble(document, options));
+  return Model(read_job(job));
 }
 
 }  // namespace octet

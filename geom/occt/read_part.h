@@ -2,6 +2,7 @@
 // CAD files to a Model. No OCCT type appears here.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 
@@ -12,11 +13,21 @@ namespace octet {
 struct ReadOptions {
   double facet_deflection =
       0.0;  ///< model units; 0: chosen from the part (diagonal / 2000, finer where curved)
+  /// OCCT may hang, crash or take all memory on a damaged part: it works in a child process, so that this one
+  /// gets an InputError instead. False: in this process and without limits (for debuggers).
+  bool isolate = true;
+  double time_limit = 300.0;     ///< seconds of wall time for all of reading; 0: none
+  std::size_t memory_limit = 0;  ///< bytes for the child; 0: half of the machine's memory
+  /// The program octet-reader, which reads where a process with several threads cannot fork. Empty: beside
+  /// the running program, in its ../libexec/octet, or where Octet was installed; where none is found, reading
+  /// is not isolated, and a note of the model says so.
+  std::filesystem::path reader_program;
 };
 
 /// Reads STEP (AP203, AP214, AP242), IGES or OCCT BREP, told by content, not by suffix.
 /// Coordinates become millimetre; the file's unit is Model::unit().
 /// InputError: missing, a directory, empty, truncated, not a CAD file, no shape in it.
+/// InputError: OCCT hung, crashed or needed too much memory (names the stage and, where known, the entity).
 /// ModelError: nothing that bounds a volume (open shell: names the first free edge, its faces and place).
 [[nodiscard]] Model read_part(const std::filesystem::path& path, const ReadOptions& options = {});
 

@@ -188,24 +188,28 @@ void fill_regions(const Numbering& numbering, ModelParts& parts) {
 
 }  // namespace
 
+void make_geometry(const Numbering& numbering, ModelParts& parts) {
+  parts.curves.resize(parts.edges.size());
+  parts.surfaces.resize(parts.faces.size());
+  parts.trims.resize(parts.faces.size());
+  for (int tag = 1; tag <= numbering.count(1); ++tag)
+    if (parts.edges[tag].use != EdgeUse::kDegenerate) parts.curves[tag] = make_curve(numbering.edge(tag));
+  for (int tag = 1; tag <= numbering.count(2); ++tag) {
+    parts.surfaces[tag] = make_surface(numbering.face(tag), tag);
+    parts.trims[tag] = make_trim(numbering.face(tag), *parts.surfaces[tag]);
+  }
+}
+
 void fill_topology(const Numbering& numbering, ModelParts& parts) {
   const auto size = [&](int dim) { return static_cast<std::size_t>(numbering.count(dim)) + 1; };
   parts.vertices.resize(size(0));
   parts.edges.resize(size(1));
   parts.faces.resize(size(2));
   parts.regions.resize(size(3));
-  parts.curves.resize(size(1));
-  parts.surfaces.resize(size(2));
-  parts.trims.resize(size(2));
   fill_vertices(numbering, parts);
   fill_edges(numbering, parts);
-  for (int tag = 1; tag <= numbering.count(1); ++tag)
-    if (parts.edges[tag].use != EdgeUse::kDegenerate) parts.curves[tag] = make_curve(numbering.edge(tag));
-  for (int tag = 1; tag <= numbering.count(2); ++tag) {
-    parts.surfaces[tag] = make_surface(numbering.face(tag), tag);
-    parts.trims[tag] = make_trim(numbering.face(tag), *parts.surfaces[tag]);
-    fill_face(numbering, tag, parts);
-  }
+  make_geometry(numbering, parts);
+  for (int tag = 1; tag <= numbering.count(2); ++tag) fill_face(numbering, tag, parts);
   mark_seams(numbering, parts);
   fill_regions(numbering, parts);
 }

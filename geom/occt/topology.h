@@ -12,4 +12,7 @@ namespace octet {
 /// ModelError: an edge without curve or vertices, a face without a surface.
 void fill_topology(const Numbering& numbering, ModelParts& parts);
 
+/// The exact curves, surfaces and trims; requires the edges' use, which fill_topology() tells.
+void make_geometry(const Numbering& numbering, ModelParts& parts);
+
 }  // namespace octet

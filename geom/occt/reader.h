@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads a part where OCCT can harm nobody.
+#pragma once
+
+#include <TopoDS_Shape.hxx>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "geom/model.h"
+#include "geom/occt/child_process.h"
+#include "geom/occt/file_kind.h"
+#include "geom/occt/read_part.h"
+
+namespace octet {
+
+/// A file, or a shape in memory.
+struct ReadJob {
+  std::filesystem::path path;
+  FileKind kind = FileKind::kStep;
+  TopoDS_Shape shape;  ///< used when it is not null
+  ReadOptions options;
+};
+
+/// All that makes a model, by a child process as ReadOptions says.
+[[nodiscard]] ModelParts read_job(const ReadJob& job);
+
+/// What the helper program does: a job as bytes to a part as bytes.
+[[nodiscard]] std::string serve_job(std::string_view request, const StageLog& log);
+
+}  // namespace octet
