@@ -19,7 +19,7 @@ int run_check(const CheckCommand& command) {
   Mesh mesh = read_mesh(command.mesh);
   // A factor of exactly 1 leaves the coordinates as they are.
   for (Vec3& p : mesh.points) p *= unit.millimetres;
-  const Model model = read_part(command.part);
+  const Model model = read_part(command.part, command.reading);
   const Acceptance acceptance = accept_mesh(mesh, model);
   const RunNames names{command.part.string(), command.mesh.string(), unit.name};
   if (command.json)

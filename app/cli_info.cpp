@@ -13,7 +13,7 @@
 namespace octet {
 
 int run_info(const InfoCommand& command) {
-  const Model model = read_part(command.part);
+  const Model model = read_part(command.part, command.reading);
   const PartInfo info = part_info(model);
   const std::string name = command.part.string();
   if (command.json)

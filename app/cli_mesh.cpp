@@ -95,7 +95,7 @@ int mesh_to_file(const MeshCommand& command, const MeshOptions& options, const L
   Console console(console_options(command));
   StageClock clock;
   console.stage("reading", 0.0);
-  const Model model = read_part(command.part);
+  const Model model = read_part(command.part, command.reading);
   for (const std::string& note : model.notes()) console.note(note);
   const StageTime reading = clock.lap("reading");
 

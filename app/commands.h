@@ -7,10 +7,13 @@
 #include <optional>
 #include <string>
 
+#include "geom/occt/read_part.h"
+
 namespace octet {
 
 struct MeshCommand {
   std::filesystem::path part, output, report, dump_directory;
+  ReadOptions reading;
   std::optional<double> size, min_size;  ///< in `unit`
   std::string unit;                      ///< empty: millimetre
   std::string format;                    ///< empty: by the output's suffix
@@ -22,11 +25,13 @@ struct MeshCommand {
 
 struct InfoCommand {
   std::filesystem::path part;
+  ReadOptions reading;
   bool json = false;
 };
 
 struct CheckCommand {
   std::filesystem::path mesh, part;
+  ReadOptions reading;
   std::string unit;  ///< of the mesh file's coordinates; empty: millimetre
   bool json = false;
 };

@@ -10,6 +10,7 @@
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/exit_code.h"
+#include "app/reading_options.h"
 #include "base/error.h"
 
 namespace octet {
@@ -79,6 +80,7 @@ void add_mesh(CLI::App& app, MeshCommand& mesh) {
   sub.add_flag("!--no-finalize", mesh.finalize, "Leave the elements' shapes as classification made them");
   CLI::Option* quiet = sub.add_flag("--quiet,-q", mesh.quiet, "Print nothing but errors");
   sub.add_flag("--verbose,-v", mesh.verbose, "Tell of every stage on stderr")->excludes(quiet);
+  add_reading_options(sub, mesh.reading);
   sub.footer(kFooter);
 }
 
@@ -86,6 +88,7 @@ void add_info(CLI::App& app, InfoCommand& info) {
   CLI::App& sub = *app.add_subcommand("info", "Tell what a part is: unit, size, entities, names, faults");
   sub.add_option("part", info.part, "STEP, IGES or BREP file")->required()->type_name("FILE");
   sub.add_flag("--json", info.json, "Print JSON");
+  add_reading_options(sub, info.reading);
   sub.footer(kFooter);
 }
 
@@ -95,6 +98,7 @@ void add_check(CLI::App& app, CheckCommand& check) {
   sub.add_option("part", check.part, "STEP, IGES or BREP file")->required()->type_name("FILE");
   sub.add_option("--unit", check.unit, std::string("Unit of the mesh file: ") + kUnitHelp)->type_name("UNIT");
   sub.add_flag("--json", check.json, "Print JSON");
+  add_reading_options(sub, check.reading);
   sub.footer(kFooter);
 }
 

@@ -37,6 +37,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int kHelperSocket = 3;
 constexpr std::size_t kChunk = 1 << 16;
+constexpr int kWatchMilliseconds = 20;
 
 enum class Failure : std::uint8_t { kInput, kModel, kLimit, kBug, kMemory };
 
@@ -60,6 +61,7 @@ class Descriptor {
 class Child {
  public:
   explicit Child(pid_t pid) : pid_(pid) {}
+  [[nodiscard]] pid_t pid() const { return pid_; }
   ~Child() {
     ::kill(pid_, SIGKILL);
     (void)wait();
@@ -142,24 +144,16 @@ void become_child() {
   ::setrlimit(RLIMIT_CORE, &no_core);
 }
 
-std::size_t mapped_bytes() {
-  std::ifstream in("/proc/self/statm");
-  std::size_t pages = 0;
-  in >> pages;
-  return pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
-}
-
-void limit_memory(std::size_t bytes) {
-  if (bytes == 0) return;
-  rlimit limit{};
-  ::getrlimit(RLIMIT_AS, &limit);
-  limit.rlim_cur = std::min<rlim_t>(limit.rlim_max, mapped_bytes() + bytes);
-  ::setrlimit(RLIMIT_AS, &limit);
+/// Bytes of memory that a process holds now; 0 when it is gone.
+std::size_t resident_bytes(pid_t pid) {
+  std::ifstream in(fmt::format("/proc/{}/statm", pid));
+  std::size_t mapped = 0, resident = 0;
+  in >> mapped >> resident;
+  return resident * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
 }
 
 /// Runs the work and sends what comes of it.
-int answer(int fd, const ChildLimits& limits, const ChildWork& work) {
-  limit_memory(limits.bytes);
+int answer(int fd, const ChildWork& work) {
   std::string failure;
   try {
     const std::string result = work([fd](const std::string& stage) { (void)send_frame(fd, 's', stage); });
@@ -180,16 +174,15 @@ int answer(int fd, const ChildLimits& limits, const ChildWork& work) {
   return send_frame(fd, 'e', failure) ? 0 : 1;
 }
 
-std::string limit_text(const ChildLimits& limits) {
-  constexpr double kGigabyte = 1e9;
-  return fmt::format("{:.3g} GB", static_cast<double>(limits.bytes) / kGigabyte);
-}
-
 /// Reads the child's frames until the last one.
 class Follower {
  public:
   Follower(int fd, Child& child, const ChildLimits& limits)
-      : fd_(fd), child_(child), limits_(limits), start_(Clock::now()) {}
+      : fd_(fd),
+        child_(child),
+        limits_(limits),
+        start_(Clock::now()),
+        start_bytes_(resident_bytes(child.pid())) {}
 
   std::string run() {
     for (;;) {
@@ -197,7 +190,7 @@ class Follower {
       std::string payload = next_frame(kind);
       if (kind == 's') stage_ = std::move(payload);
       if (kind == 'r') return payload;
-      if (kind == 'e') throw_answer(payload);
+      if (kind == 'e') throw_failure(payload);
     }
   }
 
@@ -223,29 +216,37 @@ class Follower {
     return bytes;
   }
 
-  void wait_for_bytes() const {
+  /// Looks at the child's memory and at the clock until it has something to say. Memory is watched from here:
+  /// OCCT takes a failed allocation for damage of the file, or hides it.
+  void wait_for_bytes() {
     for (;;) {
       int milliseconds = -1;
+      if (limits_.bytes > 0) {
+        check_memory();
+        milliseconds = kWatchMilliseconds;
+      }
       if (limits_.seconds > 0.0) {
-        const double gone = std::chrono::duration<double>(Clock::now() - start_).count();
-        if (gone >= limits_.seconds)
+        const double left = limits_.seconds - std::chrono::duration<double>(Clock::now() - start_).count();
+        if (left <= 0.0)
           throw InputError(
               fmt::format("{} took too long: the limit for reading is {:g} s", stage_, limits_.seconds));
-        milliseconds = static_cast<int>(std::min(1e6, std::ceil(1e3 * (limits_.seconds - gone))));
+        const int wait = static_cast<int>(std::min(1e6, std::ceil(1e3 * left)));
+        milliseconds = milliseconds < 0 ? wait : std::min(milliseconds, wait);
       }
       pollfd events{fd_, POLLIN, 0};
       if (::poll(&events, 1, milliseconds) > 0) return;
     }
   }
 
-  [[noreturn]] void throw_answer(std::string_view payload) const {
-    try {
-      throw_failure(payload);
-    } catch (const std::bad_alloc&) {
-      if (limits_.bytes == 0) throw;
-      throw InputError(
-          fmt::format("{} needs too much memory: the limit for reading is {}", stage_, limit_text(limits_)));
-    }
+  void check_memory() {
+    const std::size_t now = resident_bytes(child_.pid());
+    if (now > start_bytes_ + limits_.bytes) throw_memory();
+  }
+
+  [[noreturn]] void throw_memory() const {
+    constexpr double kGigabyte = 1e9;
+    throw InputError(fmt::format("{} needs too much memory: the limit for reading is {:.3g} GB", stage_,
+                                 static_cast<double>(limits_.bytes) / kGigabyte));
   }
 
   [[noreturn]] void throw_died() const {
@@ -253,6 +254,8 @@ class Follower {
     if (!WIFSIGNALED(status)) throw InputError(fmt::format("the CAD kernel gave up while {}", stage_));
     const int signal = WTERMSIG(status);
     if (signal == SIGINT || signal == SIGTERM) throw Cancelled();
+    if (signal == SIGKILL)
+      throw InputError(fmt::format("{} was killed, by a lack of memory as it seems", stage_));
     throw InputError(fmt::format("the CAD kernel crashed while {} ({})", stage_, ::strsignal(signal)));
   }
 
@@ -260,6 +263,7 @@ class Follower {
   Child& child_;
   ChildLimits limits_;
   Clock::time_point start_;
+  std::size_t start_bytes_;
   std::string stage_ = "starting to read";
 };
 
@@ -318,7 +322,7 @@ std::string run_in_child(const ChildWork& work, const ChildLimits& limits) {
   if (pid == 0) {
     become_child();
     // _exit: buffers and destructors are the parent's affair.
-    ::_exit(answer(theirs.get(), limits, work));
+    ::_exit(answer(theirs.get(), work));
   }
   Child child(pid);
   theirs.close();
@@ -331,24 +335,16 @@ std::string run_in_helper(const std::filesystem::path& program, std::string_view
   Descriptor ours(sockets[0]), theirs(sockets[1]);
   Child child(start_program(program, theirs.get()));
   theirs.close();
-  ByteWriter head;
-  head(limits.bytes);
-  // A helper that dies early is told by its silence, below.
-  if (send_all(ours.get(), head.bytes.data(), head.bytes.size()))
-    (void)send_all(ours.get(), request.data(), request.size());
+  // A helper that dies early is told by its silence.
+  (void)send_all(ours.get(), request.data(), request.size());
   ::shutdown(ours.get(), SHUT_WR);
   return Follower(ours.get(), child, limits).run();
 }
 
 int serve_helper(const std::function<std::string(std::string_view, const StageLog&)>& work) {
   become_child();
-  const std::string input = read_to_end(kHelperSocket);
-  ChildLimits limits;
-  if (input.size() < sizeof limits.bytes) return 2;
-  ByteReader reader(input);
-  reader(limits.bytes);
-  const std::string_view request = std::string_view(input).substr(sizeof limits.bytes);
-  return answer(kHelperSocket, limits, [&](const StageLog& log) { return work(request, log); });
+  const std::string request = read_to_end(kHelperSocket);
+  return answer(kHelperSocket, [&](const StageLog& log) { return work(request, log); });
 }
 
 }  // namespace octet

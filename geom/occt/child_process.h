@@ -12,7 +12,7 @@ namespace octet {
 
 struct ChildLimits {
   double seconds = 0.0;   ///< wall time; 0: none
-  std::size_t bytes = 0;  ///< memory beyond what is mapped at the start; 0: none
+  std::size_t bytes = 0;  ///< resident memory beyond that at the start, looked at 50 times a second; 0: none
 };
 
 /// Told what comes next; the words complete "while ...", as in "fusing 12 solids".

@@ -115,6 +115,12 @@ TEST(BadUse, UnknownUnitFormatAndOptionAreRefused) {
   expect_bad_options({"--threads", "0"}, "--threads");
 }
 
+TEST(BadUse, ReadingBeyondItsLimitsIsRefusedAndNamesTheLimit) {
+  expect_bad_options({"--read-time-limit", "0.001"}, "took too long: the limit for reading is 0.001 s");
+  expect_bad_options({"--read-memory-limit", "0.001"}, "needs too much memory: the limit for reading is 0.001 GB");
+  expect_bad_options({"--read-time-limit", "-1"}, "--read-time-limit");
+}
+
 TEST(BadUse, NoCommandIsRefused) { expect_error(run_octet({}), kExitBadInput, "--help"); }
 
 TEST(BadUse, OutputOverThePartIsRefused) {

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The limits of reading a part as options of every command that reads one.
+#include "app/reading_options.h"
+
+namespace octet {
+
+void add_reading_options(CLI::App& command, ReadOptions& reading) {
+  command
+      .add_option("--read-time-limit", reading.time_limit,
+                  "Refuse a part whose reading takes more seconds; 0: no limit (default: 300)")
+      ->type_name("SECONDS")
+      ->check(CLI::Range(0.0, 1e9));
+  const auto set_memory = [&reading](double gigabytes) {
+    constexpr double kGigabyte = 1e9;
+    reading.memory_limit = static_cast<std::size_t>(gigabytes * kGigabyte);
+  };
+  command
+      .add_option_function<double>(
+          "--read-memory-limit", set_memory,
+          "Refuse a part whose reading needs more memory (default: half of the machine's)")
+      ->type_name("GB")
+      ->check(CLI::Range(1e-3, 1e9));
+}
+
+}  // namespace octet

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Work that hangs, crashes or eats memory ends as one clear error, and leaves no process behind.
+#include "geom/occt/child_process.h"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+#include "base/error.h"
+#include "geom/occt/byte_stream.h"
+#include "geom/occt/part_stream.h"
+#include "sample_parts.h"
+
+namespace octet::test {
+namespace {
+
+std::string error_of(const ChildWork& work, const ChildLimits& limits) {
+  try {
+    (void)run_in_child(work, limits);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+void expect_no_child_left() {
+  EXPECT_EQ(::waitpid(-1, nullptr, WNOHANG), -1);
+  EXPECT_EQ(errno, ECHILD);
+}
+
+TEST(ChildProcess, AnswersComeBackWhole) {
+  const std::string large(3'000'000, 'x');
+  EXPECT_EQ(run_in_child([&](const StageLog&) { return large + "!"; }, {}), large + "!");
+  expect_no_child_left();
+}
+
+TEST(ChildProcess, AHangIsRefusedInTimeAndNamesItsStage) {
+  const auto start = std::chrono::steady_clock::now();
+  const std::string error = error_of(
+      [](const StageLog& log) -> std::string {
+        log("fusing 2 solids");
+        for (volatile bool run = true; run;) {
+        }
+        return {};
+      },
+      {0.3, 0});
+  EXPECT_EQ(error, "fusing 2 solids took too long: the limit for reading is 0.3 s");
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
+  expect_no_child_left();
+}
+
+TEST(ChildProcess, ACrashNamesItsStage) {
+  const std::string error = error_of(
+      [](const StageLog& log) -> std::string {
+        log("triangulating Face 12");
+        std::raise(SIGSEGV);
+        return {};
+      },
+      {});
+  EXPECT_NE(error.find("crashed while triangulating Face 12"), std::string::npos) << error;
+  expect_no_child_left();
+}
+
+TEST(ChildProcess, TooMuchMemoryNamesItsStageAndTheLimit) {
+  const std::string error = error_of(
+      [](const StageLog& log) -> std::string {
+        log("reading the file");
+        std::string all;
+        for (;;) all.append(10'000'000, 'x');
+      },
+      {60.0, 300'000'000});
+  EXPECT_EQ(error, "reading the file needs too much memory: the limit for reading is 0.3 GB");
+}
+
+TEST(ChildProcess, ErrorsOfTheWorkKeepTheirTypeAndEntity) {
+  try {
+    (void)run_in_child(
+        [](const StageLog&) -> std::string { throw ModelError("Face 7 is open", model_face(7)); }, {});
+    FAIL();
+  } catch (const ModelError& error) {
+    EXPECT_STREQ(error.what(), "Face 7 is open");
+    EXPECT_EQ(error.entity(), model_face(7));
+  }
+  EXPECT_THROW((void)run_in_child([](const StageLog&) -> std::string { throw Bug("no"); }, {}), Bug);
+  EXPECT_THROW((void)run_in_child([](const StageLog&) -> std::string { throw std::bad_alloc(); }, {}),
+               std::bad_alloc);
+}
+
+TEST(ChildProcess, AnInterruptedChildIsACancelledRun) {
+  const ChildWork work = [](const StageLog&) -> std::string {
+    std::raise(SIGINT);
+    return {};
+  };
+  EXPECT_THROW((void)run_in_child(work, {}), Cancelled);
+}
+
+TEST(ByteStream, GivesBackWhatWasPut) {
+  const std::vector<std::string> names = {"a", "", "a name"};
+  const std::vector<std::array<Vec2, 3>> uv = {{Vec2(1, 2), Vec2(3, 4), Vec2(5, 6)}};
+  const std::vector<std::vector<int>> lists = {{1, 2}, {}, {3}};
+  ByteWriter out;
+  out(names, uv, lists, -0.0, true);
+  std::vector<std::string> names_back;
+  std::vector<std::array<Vec2, 3>> uv_back;
+  std::vector<std::vector<int>> lists_back;
+  double zero = 1.0;
+  bool yes = false;
+  ByteReader in(out.bytes);
+  in(names_back, uv_back, lists_back, zero, yes);
+  EXPECT_EQ(names_back, names);
+  EXPECT_EQ(uv_back, uv);
+  EXPECT_EQ(lists_back, lists);
+  EXPECT_TRUE(std::signbit(zero));
+  EXPECT_TRUE(yes);
+  EXPECT_THROW(in(zero), Bug);
+}
+
+/// All of a model that two ways of reading could make differ.
+void expect_same(const Model& a, const Model& b) {
+  for (int dim = 0; dim < 4; ++dim) EXPECT_EQ(a.count(dim), b.count(dim));
+  EXPECT_EQ(a.facets().nodes, b.facets().nodes);
+  EXPECT_EQ(a.facets().triangles, b.facets().triangles);
+  EXPECT_EQ(a.facets().uv, b.facets().uv);
+  EXPECT_EQ(a.notes(), b.notes());
+  for (int f = 1; f <= a.count(2); ++f) {
+    EXPECT_EQ(a.face(f).area, b.face(f).area);
+    EXPECT_EQ(a.face(f).name, b.face(f).name);
+    EXPECT_STREQ(a.surface(f).kind(), b.surface(f).kind());
+    const Vec2 uv(0.3, 0.4);
+    EXPECT_EQ(a.face_jet(f, uv, 0).p, b.face_jet(f, uv, 0).p);
+  }
+}
+
+TEST(Reading, GivesTheSameModelInAChildInAHelperAndInThisProcess) {
+  ReadOptions here, helper;
+  here.isolate = false;
+  helper.reader_program = OCTET_READER_PROGRAM;
+  for (const char* name : {"blade", "two_boxes"}) {
+    const Model model = sample(name);
+    expect_same(model, read_part(sample_path(name), here));
+    expect_same(model, read_part(sample_path(name), helper));
+  }
+}
+
+TEST(Reading, SeveralThreadsReadAtOnce) {
+  ReadOptions helper;
+  helper.reader_program = OCTET_READER_PROGRAM;
+  std::array<int, 3> faces{};
+  std::vector<std::thread> threads;
+  for (int& count : faces)
+    threads.emplace_back([&] { count = read_part(sample_path("bracket"), helper).count(2); });
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_GT(faces[0], 6);
+  EXPECT_EQ(faces[1], faces[0]);
+  EXPECT_EQ(faces[2], faces[0]);
+}
+
+TEST(Reading, AMissingHelperIsAnError) {
+  ReadOptions options;
+  options.reader_program = "/nowhere/octet-reader";
+  EXPECT_THROW((void)read_part(sample_path("box"), options), InputError);
+}
+
+TEST(Reading, ALimitOfTimeIsKept) {
+  ReadOptions options;
+  options.time_limit = 1e-3;
+  try {
+    (void)read_part(sample_path("bracket"), options);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("took too long"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace octet::test
