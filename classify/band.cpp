@@ -18,7 +18,7 @@ constexpr std::int32_t kUnknown = -1;
 constexpr double kNormal = 0.5;
 /// ... and its centroid may be at most this share of its longest edge away from it: the sagitta of an
 /// equilateral triangle whose edges turn by 60 degrees.
-constexpr double kDistance = 0.2;
+constexpr double kDistance = 0.1;
 
 /// Region of the octree vertices of a tetrahedron: kUnknown where it has none, or some of different regions.
 /// Octree vertices keep 0.6 of the size from the surface, so what holds one lies where it lies.
@@ -265,10 +265,10 @@ bool Band::fits(const TetMesh& mesh, const BoundaryFacet& facet, int face, int r
   const Vec3 centre = (a + b + c) / 3.0;
   Vec3 normal = (b - a).cross(c - a);
   const double twice_area = normal.norm();
-  const double longest =
-      std::sqrt(std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
+  const double ab = (b - a).norm(), bc = (c - b).norm(), ca = (a - c).norm();
+  const double longest = std::max({ab, bc, ca});
   const FaceFoot foot = model_->face_project(face, centre);
-  if (!foot.converged || (foot.point - centre).norm() > kDistance * longest) return false;
+  if (!foot.converged || (foot.point - centre).norm() > kDistance * (ab + bc + ca) / 3.0) return false;
   // A needle of coplanar points has no normal worth asking for; its neighbours decide.
   if (twice_area < 1e-6 * longest * longest) return true;
   if (model_->face(face).region[1] != region_front) normal = -normal;
