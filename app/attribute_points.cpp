@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "base/vertex_order.h"
+#include "classify/dual_crossings.h"
 #include "geom/face_match.h"
 #include "geom/opposite.h"
 
@@ -37,14 +38,15 @@ class AttributeLoop {
   AttributeResult run(Observer& observer) {
     for (result_.rounds = 0; result_.rounds < limits_.rounds; ++result_.rounds) {
       if (observer.cancelled()) throw Cancelled();
-      moved_ = band_.repair(mesh(), on_);
+      band_.repair(mesh(), on_);
       result_.gaps = find_gaps(band_, mesh(), on_, chains_);
+      if (result_.gaps.empty()) look_along_duals();
       observer.note(round_text());
-      if (result_.gaps.empty() || result_.points >= limits_.points || runs_away()) return std::move(result_);
+      if (result_.gaps.empty() || result_.points >= limits_.points || runs_away()) return finished();
       const std::size_t before = result_.points;
       for (const Gap& gap : result_.gaps) close(gap);
       relabel();
-      if (result_.points == before) return std::move(result_);
+      if (result_.points == before) return finished();
     }
     band_.repair(mesh(), on_);
     result_.gaps = find_gaps(band_, mesh(), on_, chains_);
@@ -53,6 +55,21 @@ class AttributeLoop {
 
  private:
   [[nodiscard]] const TetMesh& mesh() const { return triangulation_.mesh(); }
+
+  /// Dual crossings are no holes: points may end them, but the mesh is right with them.
+  AttributeResult finished() {
+    std::erase_if(result_.gaps, [](const Gap& gap) { return gap.kind == GapKind::kDualCrossing; });
+    return std::move(result_);
+  }
+
+  /// Once the surface is closed. What a few rounds do not part stays: a closed surface with each face's
+  /// topology is right, and the acceptance tests that.
+  void look_along_duals() {
+    constexpr int kDualRounds = 4;
+    if (dual_rounds_ == kDualRounds) return;
+    ++dual_rounds_;
+    result_.gaps = find_dual_crossings(band_, mesh(), on_);
+  }
 
   /// Points that make more gaps than they close: at a cusp or within a tolerance, more of them do not help.
   bool runs_away() {
@@ -66,12 +83,12 @@ class AttributeLoop {
   }
 
   [[nodiscard]] std::string round_text() const {
-    std::array<std::size_t, 5> kinds{};
+    std::array<std::size_t, 6> kinds{};
     for (const Gap& gap : result_.gaps) ++kinds[static_cast<std::size_t>(gap.kind)];
     return fmt::format(
         "round {}: {} attribute points; gaps: {} edge pieces, {} faceless, {} edge fans, {} vertex fans, {} "
-        "bare",
-        result_.rounds, result_.points, kinds[0], kinds[1], kinds[2], kinds[3], kinds[4]);
+        "bare, {} dual crossings",
+        result_.rounds, result_.points, kinds[0], kinds[1], kinds[2], kinds[3], kinds[4], kinds[5]);
   }
 
   void close(const Gap& gap) {
@@ -265,7 +282,7 @@ class AttributeLoop {
   AttributeLimits limits_;
   const Model& model_;
   AttributeResult result_;
-  std::size_t moved_ = 0;
+    int dual_rounds_ = 0;
   std::size_t fewest_ = std::numeric_limits<std::size_t>::max();
   std::vector<std::uint8_t> changed_;  ///< per tetrahedron: made in this round
   std::vector<TetId> relabel_, created_, cavity_;

@@ -52,7 +52,8 @@ class EdgeChains {
 
 /// Regions of the tetrahedra and model faces of the facets.
 ///
-/// Invariant: `region` is that of the circumcentre for every live tetrahedron seen by update(), 0 for ghosts;
+/// Invariant: `region` is that of the octree vertices, or else of the circumcentre, for every live tetrahedron
+/// seen by update(), 0 for ghosts, until repair() moves it;
 /// the facets between different regions are therefore the restricted Delaunay triangulation of the boundary.
 /// [DESIGN: docs/ARCHITECTURE.md, "Classification"]
 class Band {
@@ -68,6 +69,8 @@ class Band {
   std::size_t repair(const TetMesh& mesh, std::span<const ModelRef> on);
 
   [[nodiscard]] int region(TetId t) const { return region_[t]; }
+  /// Region of the model that holds p, 0 outside.
+  [[nodiscard]] int region_of(const Vec3& p) const { return region_of_(p); }
   /// All facets between different regions, ascending by tetrahedron; those of the last call that did not
   /// change keep their classification without new queries.
   [[nodiscard]] const std::vector<BoundaryFacet>& facets(const TetMesh& mesh, std::span<const ModelRef> on);

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "mesh/circumcentre.h"
+#include "classify/dual_crossings.h"
 
 namespace octet {
 namespace {
@@ -289,25 +289,6 @@ AttributePoint split_point(const Model& model, const TetMesh& mesh, std::span<co
   return p;
 }
 
-namespace {
-
-Circumcentre centre_of(const TetMesh& mesh, TetId t) {
-  const auto& v = mesh.tets[t];
-  return circumcentre(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], mesh.points[v[3]]);
-}
-
-/// The end of a facet's dual segment on the side of `tet`: its circumcentre, or, for ghosts and flat
-/// tetrahedra, a point on the facet's axis.
-Vec3 dual_end(const TetMesh& mesh, TetId tet, const Vec3& centre, const Vec3& outward, double radius) {
-  if (!mesh.ghost(tet)) {
-    const Circumcentre c = centre_of(mesh, tet);
-    if (c.reliable) return c.point;
-  }
-  return centre + radius * outward;
-}
-
-}  // namespace
-
 std::optional<AttributePoint> facet_point(const Model& model, const TetMesh& mesh, TetId tet, int local,
                                           double floor) {
   const auto& v = mesh.tets[tet];
@@ -316,12 +297,9 @@ std::optional<AttributePoint> facet_point(const Model& model, const TetMesh& mes
   const Vec3 centroid = (x[0] + x[1] + x[2]) / 3.0;
   const double reach =
       std::max({(x[0] - centroid).norm(), (x[1] - centroid).norm(), (x[2] - centroid).norm()});
-  Vec3 normal = (x[1] - x[0]).cross(x[2] - x[0]);
-  normal = normal.norm() > 0.0 ? normal.normalized() : Vec3::UnitX();
-  const Vec3 inner = dual_end(mesh, tet, centroid, -normal, reach);
-  const Vec3 outer = dual_end(mesh, mesh.neighbours[tet][local], centroid, normal, reach);
+  const DualSegment dual = dual_segment(mesh, tet, local);
   std::vector<Hit> hits;
-  model.intersect(inner, outer, hits);
+  model.intersect(dual.inner, dual.outer, hits);
   std::optional<AttributePoint> best;
   const auto offer = [&](const Vec3& p, ModelRef on, const Vec3& n) {
     double clearance = std::numeric_limits<double>::infinity();
@@ -358,6 +336,9 @@ Fault describe_gap(const Model& model, const Gap& gap) {
       break;
     case GapKind::kBareVertex:
       fault.cause = who + " is not covered by mesh faces around a point on it";
+      break;
+    case GapKind::kDualCrossing:
+      fault.cause = "a mesh face on " + who + " stands for more than one sheet of the boundary";
       break;
   }
   fault.advice = "ask for a smaller size here, or remove the small feature or thin wall at this place";

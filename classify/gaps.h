@@ -16,10 +16,11 @@ enum class GapKind {
   kEdgeFan,       ///< a mesh edge whose facets are not those of its model entity
   kVertexFan,     ///< a vertex whose facets are not one disk (one fan a face corner)
   kBareVertex,    ///< a point on the boundary with no facet at all
+  kDualCrossing,  ///< a facet whose dual segment crosses its face more than once, or a face far from it
 };
 
-/// One hole. `piece` is set for kMissingPiece and for fans of a piece; `facet` (a face of a tetrahedron) for
-/// the others but kBareVertex.
+/// One hole. `piece` is set for kMissingPiece and for fans of a piece; `tet` and `local` (a facet) for the
+/// others but kBareVertex.
 struct Gap {
   GapKind kind = GapKind::kNoFace;
   ModelRef entity;
