@@ -52,10 +52,10 @@ class EdgeChains {
 
 /// Regions of the tetrahedra and model faces of the facets.
 ///
-/// Invariant: `region` is that of the octree vertices, or else of the circumcentre, for every live tetrahedron
-/// seen by update(), 0 for ghosts, until repair() moves it;
-/// the facets between different regions are therefore the restricted Delaunay triangulation of the boundary.
-/// [DESIGN: docs/ARCHITECTURE.md, "Classification"]
+/// Invariant: `region` is that of the octree vertices of a live tetrahedron seen by update(), of its
+/// circumcentre where it has none, 0 for ghosts, until repair() moves it. Where all are the circumcentre's
+/// the facets between different regions are the restricted Delaunay triangulation of the boundary. [DESIGN:
+/// docs/ARCHITECTURE.md, "Classification"]
 class Band {
  public:
   Band(const Model& model, RegionOf region_of);

@@ -208,7 +208,7 @@ TEST(Convergence, ConeGradedByCurvatureIsSecondOrder) {
 }
 TEST(Convergence, TorusIsSecondOrder) { expect_second_order(analytic_torus(1.0, 0.4), {0.25}, 0); }
 TEST(Convergence, BoxMinusBallIsSecondOrder) {
-  expect_second_order(analytic_box_minus_ball(2.0, 0.6), {0.3}, 2);
+  expect_second_order(analytic_box_minus_ball(2.0, 0.6), {0.2}, 2);
 }
 
 /// An L with a hole, its outer edge and its inner corner rounded; every feature is larger than the sizes
