@@ -27,6 +27,7 @@
 #include "geom/occt/occt_curve.h"
 #include "geom/occt/occt_surface.h"
 #include "geom/quadrics.h"
+#include "geom/recognise.h"
 #include "geom/torus.h"
 
 namespace octet {
@@ -36,6 +37,9 @@ Axes3 axes_of(const gp_Ax3& a) {
   return {to_vec(a.Location()), to_vec(a.XDirection().XYZ()), to_vec(a.YDirection().XYZ()),
           to_vec(a.Direction().XYZ())};
 }
+
+/// Deviation up to which a surface is taken for a closed form: OCCT's own precision, less on small faces.
+constexpr double kSameSurface = 1e-7, kSameShare = 1e-8;
 
 /// Start of a period that holds [lo, hi] in its middle: rounding across an end of a partial range then stays
 /// near that end.
@@ -65,6 +69,44 @@ std::shared_ptr<const Surface> make_closed_form(const Handle(Geom_Surface) & sur
   return nullptr;
 }
 
+/// A closed form whose (u,v) are not those of OCCT's surface.
+class RecognisedSurface final : public Surface {
+ public:
+  RecognisedSurface(SurfaceJets source, std::unique_ptr<const CanonicalForm> form)
+      : source_(std::move(source)), form_(std::move(form)) {}
+
+  [[nodiscard]] Vec2 from_occt(const Vec2& uv) const { return form_->map(source_.evaluate(uv, 0).p, uv); }
+
+  [[nodiscard]] const SurfaceJets& source() const { return source_; }
+
+  SurfaceJet evaluate(const Vec2& uv, int derivatives) const override {
+    return form_->surface().evaluate(uv, derivatives);
+  }
+  void intersect(const Vec3& p, const Vec3& q, std::span<const Vec2> seeds,
+                 std::vector<SurfaceRoot>& roots) const override {
+    form_->surface().intersect(p, q, seeds, roots);
+  }
+  SurfaceFoot project(const Vec3& p, const Vec2& seed) const override {
+    return form_->surface().project(p, seed);
+  }
+  Vec3 normal(const Vec2& uv) const override { return form_->surface().normal(uv); }
+  const char* kind() const override { return form_->surface().kind(); }
+
+ private:
+  SurfaceJets source_;
+  std::unique_ptr<const CanonicalForm> form_;
+};
+
+std::unique_ptr<const CanonicalForm> closed_form_of(const SurfaceJets& jets, const UvCell& cell) {
+  Box3 box;
+  constexpr int kSamples = 8;
+  for (int i = 0; i <= kSamples; ++i)
+    for (int j = 0; j <= kSamples; ++j)
+      box.add(jets.evaluate(cell.lo + Vec2(i, j).cwiseProduct(cell.size()) / kSamples, 0).p);
+  return recognise([&](const Vec2& uv, int n) { return jets.evaluate(uv, n); }, jets.u_breaks(cell),
+                   jets.v_breaks(cell), std::min(kSameSurface, kSameShare * box.diagonal()));
+}
+
 UvCell cell_of(const TopoDS_Face& face) {
   UvCell cell;
   BRepTools::UVBounds(face, cell.lo.x(), cell.hi.x(), cell.lo.y(), cell.hi.y());
@@ -82,7 +124,26 @@ std::shared_ptr<const Surface> make_surface(const TopoDS_Face& face, int tag) {
                        cell.lo.cwiseAbs().maxCoeff() < Precision::Infinite() &&
                        cell.hi.cwiseAbs().maxCoeff() < Precision::Infinite() && cell.size().minCoeff() > 0.0;
   if (!bounded) throw ModelError(fmt::format("Face {} has no bounded range", tag), model_face(tag));
-  return make_free_form(surface, cell);
+  SurfaceJets jets(surface);
+  if (auto form = closed_form_of(jets, cell))
+    return std::make_shared<RecognisedSurface>(std::move(jets), std::move(form));
+  return make_free_form(std::move(jets), cell);
+}
+
+bool is_recognised(const Surface& surface) {
+  return dynamic_cast<const RecognisedSurface*>(&surface) != nullptr;
+}
+
+std::function<Vec2(const Vec2&)> from_occt_uv(const Surface& surface) {
+  const auto* const recognised = dynamic_cast<const RecognisedSurface*>(&surface);
+  if (recognised == nullptr) return [](const Vec2& uv) { return uv; };
+  return [recognised](const Vec2& uv) { return recognised->from_occt(uv); };
+}
+
+std::function<SurfaceJet(const Vec2&, int)> occt_jets(const Surface& surface) {
+  if (const auto* const recognised = dynamic_cast<const RecognisedSurface*>(&surface))
+    return [recognised](const Vec2& uv, int n) { return recognised->source().evaluate(uv, n); };
+  return [&surface](const Vec2& uv, int n) { return surface.evaluate(uv, n); };
 }
 
 std::shared_ptr<const Curve> make_curve(const TopoDS_Edge& edge) {

@@ -4,6 +4,7 @@
 
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
+#include <functional>
 #include <gp_Ax2.hxx>
 #include <gp_Ax3.hxx>
 #include <gp_Pnt.hxx>
@@ -19,9 +20,21 @@ namespace octet {
 [[nodiscard]] inline Vec3 to_vec(const gp_Pnt& p) { return to_vec(p.XYZ()); }
 [[nodiscard]] inline Vec3 to_vec(const gp_Vec& v) { return to_vec(v.XYZ()); }
 
-/// The surface under a face, with OCCT's own (u,v); a periodic one reports (u,v) in the face's range.
+/// The surface under a face; a periodic one reports (u,v) in the face's range. Its (u,v) are OCCT's own but
+/// where a closed form was recognised in a surface of another kind: from_occt_uv() leads to ours.
 /// ModelError: the face has no surface or no bounded range.
 [[nodiscard]] std::shared_ptr<const Surface> make_surface(const TopoDS_Face& face, int tag);
+
+/// From OCCT's (u,v) of a face to those of the surface that make_surface() made for it, which must outlive
+/// the result. Thread-safe.
+[[nodiscard]] std::function<Vec2(const Vec2&)> from_occt_uv(const Surface& surface);
+
+/// Points and derivatives in OCCT's (u,v) of a face, as the file gives them; the surface must outlive the
+/// result. Thread-safe.
+[[nodiscard]] std::function<SurfaceJet(const Vec2&, int)> occt_jets(const Surface& surface);
+
+/// Whether the surface is a closed form that was recognised in a surface of another kind.
+[[nodiscard]] bool is_recognised(const Surface& surface);
 
 /// The curve under an edge over its parameter range.
 [[nodiscard]] std::shared_ptr<const Curve> make_curve(const TopoDS_Edge& edge);

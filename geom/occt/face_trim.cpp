@@ -21,9 +21,12 @@
 #include <cmath>
 #include <mutex>
 #include <optional>
+#include <string_view>
 #include <vector>
 
+#include "geom/axes3.h"
 #include "geom/loop_trim.h"
+#include "geom/occt/canonical.h"
 #include "geom/uv_trims.h"
 
 namespace octet {
@@ -108,9 +111,11 @@ bool is_straight(Handle(Geom2d_Curve) curve) {
 }
 
 /// Null where an edge has no curve in (u,v) or no ends.
-std::optional<std::vector<TrimCurve>> border_curves(const TopoDS_Face& face) {
+std::optional<std::vector<TrimCurve>> border_curves(const TopoDS_Face& face, const Surface& surface) {
   std::vector<TrimCurve> curves;
   TopTools_IndexedMapOfShape vertices, edges;
+  const auto to_ours = from_occt_uv(surface);
+  const bool same = !is_recognised(surface);
   for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
     const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
     if (edge.Orientation() != TopAbs_FORWARD && edge.Orientation() != TopAbs_REVERSED) continue;
@@ -120,17 +125,26 @@ std::optional<std::vector<TrimCurve>> border_curves(const TopoDS_Face& face) {
     TopExp::Vertices(TopoDS::Edge(edge.Oriented(TopAbs_FORWARD)), start, end);
     if (curve.IsNull() || start.IsNull() || end.IsNull() || !(first < last)) return std::nullopt;
     TrimCurve border;
-    border.at = [curve](double t) {
+    border.at = [curve, to_ours](double t) {
       const gp_Pnt2d p = curve->Value(t);
-      return Vec2(p.X(), p.Y());
+      return to_ours({p.X(), p.Y()});
     };
     border.breaks = breaks_of(curve, first, last);
-    border.straight = is_straight(curve);
+    border.straight = same && is_straight(curve);
     border.vertex = {vertices.Add(start), vertices.Add(end)};
     border.edge = edges.Add(edge);
     curves.push_back(std::move(border));
   }
   return curves;
+}
+
+Vec2 periods(const TopoDS_Face& face, const Surface& surface) {
+  if (is_recognised(surface)) {
+    const std::string_view kind = surface.kind();
+    return {kind == "plane" ? 0.0 : kTwoPi, kind == "torus" ? kTwoPi : 0.0};
+  }
+  const Handle(Geom_Surface) occt = BRep_Tool::Surface(face);
+  return {occt->IsUPeriodic() ? occt->UPeriod() : 0.0, occt->IsVPeriodic() ? occt->VPeriod() : 0.0};
 }
 
 /// Half a width of the band in which a point is on the border: rounding in space, or OCCT's own floor.
@@ -153,14 +167,12 @@ Vec2 band(const std::vector<TrimCurve>& curves, const Surface& surface) {
 
 std::shared_ptr<const Trim> make_trim(const TopoDS_Face& face, const Surface& surface) {
   const TopoDS_Face forward = TopoDS::Face(face.Oriented(TopAbs_FORWARD));
-  auto curves = border_curves(forward);
+  auto curves = border_curves(forward, surface);
   if (curves && curves->empty()) return make_whole_trim();
-  const Handle(Geom_Surface) occt = BRep_Tool::Surface(forward);
   LoopTrimOptions options;
   if (curves) {
     options.tolerance = band(*curves, surface);
-    options.period = {occt->IsUPeriodic() ? occt->UPeriod() : 0.0,
-                      occt->IsVPeriodic() ? occt->VPeriod() : 0.0};
+    options.period = periods(forward, surface);
     if (auto trim = make_loop_trim(std::move(*curves), options)) return trim;
   }
   constexpr double kOcctTolerance = 1e-9;

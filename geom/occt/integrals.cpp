@@ -12,6 +12,8 @@
 #include <array>
 #include <cmath>
 
+#include "geom/occt/canonical.h"
+
 namespace octet {
 namespace {
 
@@ -30,7 +32,7 @@ double cross2(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x
 
 class Integrator {
  public:
-  Integrator(const Surface& surface, const Vec3& origin) : surface_(surface), origin_(origin) {}
+  Integrator(const Surface& surface, const Vec3& origin) : jets_(occt_jets(surface)), origin_(origin) {}
 
   [[nodiscard]] Sum triangle(const Vec2& a, const Vec2& b, const Vec2& c, int depth) const {
     const double half = 0.5 * cross2(b - a, c - a);
@@ -71,7 +73,7 @@ class Integrator {
 
  private:
   [[nodiscard]] Sum value(const Vec2& uv) const {
-    const SurfaceJet jet = surface_.evaluate(uv, 1);
+    const SurfaceJet jet = jets_(uv, 1);
     const Vec3 n = jet.du.cross(jet.dv);
     return {n.norm(), (jet.p - origin_).dot(n) / 3.0};
   }
@@ -98,7 +100,7 @@ class Integrator {
     return sum;
   }
 
-  const Surface& surface_;
+  std::function<SurfaceJet(const Vec2&, int)> jets_;
   const Vec3& origin_;
 };
 

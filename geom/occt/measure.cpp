@@ -45,11 +45,12 @@ double gap_on_face(const TopoDS_Edge& edge, const TopoDS_Face& face, const Surfa
   const bool closed_form =
       std::string_view(surface.kind()) == "plane" && std::string_view(curve.kind()) == "line";
   const int samples = closed_form ? kGapSamples : kFreeGapSamples;
+  const auto to_ours = from_occt_uv(surface);
   double gap = 0.0;
   for (int i = 0; i <= samples; ++i) {
     const double share = static_cast<double>(i) / samples;
     const gp_Pnt2d uv = pcurve->Value(a + share * (b - a));
-    const Vec3 on_face = surface.evaluate({uv.X(), uv.Y()}, 0).p;
+    const Vec3 on_face = surface.evaluate(to_ours({uv.X(), uv.Y()}), 0).p;
     gap = std::max(gap, (on_face - curve.point(range.t0 + share * (range.t1 - range.t0))).norm());
   }
   return gap;

@@ -2,13 +2,10 @@
 // A curve without closed form: B-spline, Bezier, hyperbola, parabola, offset.
 #include "geom/occt/occt_curve.h"
 
-#include <Geom_BSplineCurve.hxx>
-#include <Geom_BezierCurve.hxx>
-#include <Geom_TrimmedCurve.hxx>
 #include <algorithm>
 #include <cmath>
 
-#include "geom/occt/canonical.h"
+#include "geom/occt/curve_jets.h"
 
 namespace octet {
 namespace {
@@ -20,7 +17,7 @@ constexpr int kRootIterations = 60;  // bisections halve to the last bit
 
 class OcctCurve final : public Curve {
  public:
-  OcctCurve(const Handle(Geom_Curve) & curve, double t0, double t1) : curve_(curve), t0_(t0), t1_(t1) {
+  OcctCurve(const Handle(Geom_Curve) & curve, double t0, double t1) : jets_(curve), t0_(t0), t1_(t1) {
     const std::vector<double> breaks = knots();
     sample_t_.push_back(t0);
     for (std::size_t i = 0; i + 1 < breaks.size(); ++i)
@@ -33,19 +30,8 @@ class OcctCurve final : public Curve {
     for (const Vec3& p : sample_) scale_ = std::max(scale_, p.cwiseAbs().maxCoeff());
   }
 
-  Vec3 point(double t) const override {
-    gp_Pnt p;
-    curve_->D0(t, p);
-    return to_vec(p);
-  }
-
-  Vec3 derivative(double t) const override {
-    gp_Pnt p;
-    gp_Vec d;
-    curve_->D1(t, p, d);
-    return to_vec(d);
-  }
-
+  Vec3 point(double t) const override { return jets_.evaluate(t, 0).p; }
+  Vec3 derivative(double t) const override { return jets_.evaluate(t, 1).d1; }
   double project(const Vec3& p, double hint) const override;
   void cut(int axis, double value, std::vector<double>& parameters) const override;
   const char* kind() const override { return "free"; }
@@ -57,7 +43,7 @@ class OcctCurve final : public Curve {
   [[nodiscard]] double root(int axis, double value, double a, double b) const;
   void cut_piece(int axis, double value, double a, double b, std::vector<double>& parameters) const;
 
-  Handle(Geom_Curve) curve_;
+  CurveJets jets_;
   double t0_, t1_;
   double scale_ = 0.0;
   std::vector<double> sample_t_;
@@ -66,17 +52,12 @@ class OcctCurve final : public Curve {
 
 std::vector<double> OcctCurve::knots() const {
   std::vector<double> breaks = {t0_, t1_};
-  const auto spline = Handle(Geom_BSplineCurve)::DownCast(curve_);
-  if (!spline.IsNull()) {
-    const double period = spline->IsPeriodic() ? spline->Period() : 0.0;
-    const double nearly = 1e-9 * (t1_ - t0_);
-    for (int i = 1; i <= spline->NbKnots(); ++i) {
-      double k = spline->Knot(i);
-      if (period > 0.0) k += period * std::ceil((t0_ - k) / period);
-      for (; k < t1_ - nearly; k += period) {
-        if (k > t0_ + nearly) breaks.push_back(k);
-        if (period <= 0.0) break;
-      }
+  const double period = jets_.period(), nearly = 1e-9 * (t1_ - t0_);
+  for (const double knot : jets_.knots()) {
+    double k = period > 0.0 ? knot + period * std::ceil((t0_ - knot) / period) : knot;
+    for (; k < t1_ - nearly; k += period) {
+      if (k > t0_ + nearly) breaks.push_back(k);
+      if (period <= 0.0) break;
     }
   }
   std::sort(breaks.begin(), breaks.end());
@@ -99,11 +80,9 @@ void OcctCurve::sample(double a, double b, int depth) {
 /// bisection.
 double OcctCurve::refine(const Vec3& p, double t, double lo, double hi) const {
   for (int iteration = 0; iteration < 60; ++iteration) {
-    gp_Pnt at;
-    gp_Vec d1, d2;
-    curve_->D2(t, at, d1, d2);
-    const Vec3 r = to_vec(at) - p, d = to_vec(d1);
-    const double slope = r.dot(d), bend = d.squaredNorm() + r.dot(to_vec(d2));
+    const CurveJet at = jets_.evaluate(t, 2);
+    const Vec3 r = at.p - p, &d = at.d1;
+    const double slope = r.dot(d), bend = d.squaredNorm() + r.dot(at.d2);
     if (slope > 0.0) {
       hi = t;
     } else {
@@ -152,10 +131,8 @@ double OcctCurve::root(int axis, double value, double a, double b) const {
   double fa = point(a)[axis] - value;
   double t = 0.5 * (a + b);
   for (int iteration = 0; iteration < kRootIterations; ++iteration) {
-    gp_Pnt at;
-    gp_Vec d;
-    curve_->D1(t, at, d);
-    const double f = to_vec(at)[axis] - value, slope = to_vec(d)[axis];
+    const CurveJet at = jets_.evaluate(t, 1);
+    const double f = at.p[axis] - value, slope = at.d1[axis];
     if (f == 0.0) return t;
     if ((f > 0.0) == (fa > 0.0)) {
       a = t;

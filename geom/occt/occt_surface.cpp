@@ -2,121 +2,22 @@
 // A surface without closed form: B-spline, Bezier, extrusion, revolution, offset.
 #include "geom/occt/occt_surface.h"
 
-#include <GeomAbs_Shape.hxx>
-#include <Geom_BSplineCurve.hxx>
-#include <Geom_BSplineSurface.hxx>
-#include <Geom_BezierSurface.hxx>
-#include <Geom_OffsetSurface.hxx>
-#include <Geom_RectangularTrimmedSurface.hxx>
-#include <Geom_SurfaceOfLinearExtrusion.hxx>
-#include <Geom_SurfaceOfRevolution.hxx>
-#include <Geom_TrimmedCurve.hxx>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-
-#include "geom/occt/canonical.h"
-#include "geom/occt/spline_spans.h"
 
 namespace octet {
 namespace {
 
-SurfaceJet jet_of(const Geom_Surface& surface, const Vec2& uv, int derivatives) {
-  SurfaceJet jet;
-  gp_Pnt p;
-  gp_Vec du, dv, duu, dvv, duv;
-  if (derivatives == 0) {
-    surface.D0(uv.x(), uv.y(), p);
-  } else if (derivatives == 1) {
-    surface.D1(uv.x(), uv.y(), p, du, dv);
-  } else {
-    surface.D2(uv.x(), uv.y(), p, du, dv, duu, dvv, duv);
-    jet.duu = to_vec(duu);
-    jet.duv = to_vec(duv);
-    jet.dvv = to_vec(dvv);
-  }
-  jet.p = to_vec(p);
-  jet.du = to_vec(du);
-  jet.dv = to_vec(dv);
-  return jet;
-}
-
-/// Parameters at which a surface may bend abruptly, unordered, over one period.
-struct Knots {
-  std::vector<double> u, v;
-};
-
-void add_curve_knots(Handle(Geom_Curve) curve, std::vector<double>& knots) {
-  if (const auto trimmed = Handle(Geom_TrimmedCurve)::DownCast(curve); !trimmed.IsNull())
-    curve = trimmed->BasisCurve();
-  const auto spline = Handle(Geom_BSplineCurve)::DownCast(curve);
-  if (spline.IsNull()) return;
-  for (int i = 1; i <= spline->NbKnots(); ++i) knots.push_back(spline->Knot(i));
-}
-
-Knots knots_of(const Handle(Geom_Surface) & surface) {
-  Knots knots;
-  if (const auto spline = Handle(Geom_BSplineSurface)::DownCast(surface); !spline.IsNull()) {
-    for (int i = 1; i <= spline->NbUKnots(); ++i) knots.u.push_back(spline->UKnot(i));
-    for (int i = 1; i <= spline->NbVKnots(); ++i) knots.v.push_back(spline->VKnot(i));
-  } else if (const auto extrusion = Handle(Geom_SurfaceOfLinearExtrusion)::DownCast(surface);
-             !extrusion.IsNull()) {
-    add_curve_knots(extrusion->BasisCurve(), knots.u);
-  } else if (const auto turned = Handle(Geom_SurfaceOfRevolution)::DownCast(surface); !turned.IsNull()) {
-    add_curve_knots(turned->BasisCurve(), knots.v);
-  } else if (const auto offset = Handle(Geom_OffsetSurface)::DownCast(surface); !offset.IsNull()) {
-    return knots_of(offset->BasisSurface());
-  } else if (const auto trimmed = Handle(Geom_RectangularTrimmedSurface)::DownCast(surface);
-             !trimmed.IsNull()) {
-    return knots_of(trimmed->BasisSurface());
-  }
-  return knots;
-}
-
-/// Ends of [lo, hi] and the knots between, periods repeated.
-std::vector<double> breaks_of(const std::vector<double>& knots, double lo, double hi, double period) {
-  std::vector<double> breaks = {lo, hi};
-  const double nearly = 1e-9 * (hi - lo);
-  for (const double knot : knots) {
-    if (period <= 0.0) {
-      if (knot > lo + nearly && knot < hi - nearly) breaks.push_back(knot);
-      continue;
-    }
-    for (double k = knot + period * std::ceil((lo - knot) / period); k < hi - nearly; k += period)
-      if (k > lo + nearly) breaks.push_back(k);
-  }
-  std::sort(breaks.begin(), breaks.end());
-  breaks.erase(std::unique(breaks.begin(), breaks.end(), [&](double a, double b) { return b - a < nearly; }),
-               breaks.end());
-  breaks.back() = hi;
-  return breaks;
-}
-
-const char* kind_of(const Handle(Geom_Surface) & surface) {
-  if (surface->IsKind(STANDARD_TYPE(Geom_BSplineSurface))) return "b-spline";
-  if (surface->IsKind(STANDARD_TYPE(Geom_BezierSurface))) return "bezier";
-  if (surface->IsKind(STANDARD_TYPE(Geom_SurfaceOfLinearExtrusion))) return "extrusion";
-  if (surface->IsKind(STANDARD_TYPE(Geom_SurfaceOfRevolution))) return "revolution";
-  if (surface->IsKind(STANDARD_TYPE(Geom_OffsetSurface))) return "offset";
-  return "other";
-}
-
 class OcctSurface final : public Surface {
  public:
-  OcctSurface(const Handle(Geom_Surface) & surface, const UvCell& face_cell)
-      : surface_(surface), spans_(SplineSpans::make(surface)) {
+  OcctSurface(SurfaceJets jets, const UvCell& face_cell) : jets_(std::move(jets)) {
     set_range(face_cell);
-    const Knots knots = knots_of(surface);
-    const double u_period = surface->IsUPeriodic() ? surface->UPeriod() : 0.0;
-    const double v_period = surface->IsVPeriodic() ? surface->VPeriod() : 0.0;
-    const auto evaluate_here = [this](const Vec2& uv, int n) { return evaluate(uv, n); };
-    tree_ =
-        std::make_unique<PatchTree>(evaluate_here, breaks_of(knots.u, range_.lo.x(), range_.hi.x(), u_period),
-                                    breaks_of(knots.v, range_.lo.y(), range_.hi.y(), v_period));
+    tree_ = std::make_unique<PatchTree>([this](const Vec2& uv, int n) { return evaluate(uv, n); },
+                                        jets_.u_breaks(range_), jets_.v_breaks(range_));
   }
 
   SurfaceJet evaluate(const Vec2& uv, int derivatives) const override {
-    return spans_ ? spans_->evaluate(uv, derivatives) : jet_of(*surface_, uv, derivatives);
+    return jets_.evaluate(uv, derivatives);
   }
 
   void intersect(const Vec3& p, const Vec3& q, std::span<const Vec2>,
@@ -126,7 +27,7 @@ class OcctSurface final : public Surface {
 
   SurfaceFoot project(const Vec3& p, const Vec2& seed) const override;
   Vec3 normal(const Vec2& uv) const override;
-  const char* kind() const override { return kind_of(surface_); }
+  const char* kind() const override { return jets_.kind(); }
 
  private:
   void set_range(const UvCell& face_cell);
@@ -136,8 +37,7 @@ class OcctSurface final : public Surface {
   [[nodiscard]] SurfaceFoot descend(const Vec3& p, const Vec2& start, double small) const;
   [[nodiscard]] Vec2 newton_step(const SurfaceJet& jet, const Vec3& r, const Vec2& uv, double damping) const;
 
-  Handle(Geom_Surface) surface_;
-  std::unique_ptr<const SplineSpans> spans_;
+  SurfaceJets jets_;
   UvCell range_;
   bool closed_[2] = {false, false};  ///< the range is one whole turn
   std::unique_ptr<PatchTree> tree_;
@@ -147,9 +47,10 @@ class OcctSurface final : public Surface {
 void OcctSurface::set_range(const UvCell& face_cell) {
   constexpr double kMargin = 1e-3;
   double lo[2], hi[2];
-  surface_->Bounds(lo[0], hi[0], lo[1], hi[1]);
-  const bool periodic[2] = {surface_->IsUPeriodic() != 0, surface_->IsVPeriodic() != 0};
-  const bool closed[2] = {surface_->IsUClosed() != 0, surface_->IsVClosed() != 0};
+  const Geom_Surface& surface = *jets_.surface();
+  surface.Bounds(lo[0], hi[0], lo[1], hi[1]);
+  const bool periodic[2] = {surface.IsUPeriodic() != 0, surface.IsVPeriodic() != 0};
+  const bool closed[2] = {surface.IsUClosed() != 0, surface.IsVClosed() != 0};
   range_ = face_cell;
   for (int i = 0; i < 2; ++i) {
     const double own = hi[i] - lo[i], asked = face_cell.hi[i] - face_cell.lo[i];
@@ -160,9 +61,9 @@ void OcctSurface::set_range(const UvCell& face_cell) {
     if (periodic[i]) continue;
     // Loops may run somewhat beyond a spline's own bounds: its polynomials go on there, but not across a
     // pole.
-    if (!spans_ || is_collapsed(i, lo[i]))
+    if (!jets_.runs_on() || is_collapsed(i, lo[i]))
       range_.lo[i] = std::max(range_.lo[i], std::min(lo[i], face_cell.lo[i]));
-    if (!spans_ || is_collapsed(i, hi[i]))
+    if (!jets_.runs_on() || is_collapsed(i, hi[i]))
       range_.hi[i] = std::min(range_.hi[i], std::max(hi[i], face_cell.hi[i]));
   }
 }
@@ -286,8 +187,8 @@ Vec3 OcctSurface::normal(const Vec2& uv) const {
 
 }  // namespace
 
-std::shared_ptr<const Surface> make_free_form(const Handle(Geom_Surface) & surface, const UvCell& cell) {
-  return std::make_shared<OcctSurface>(surface, cell);
+std::shared_ptr<const Surface> make_free_form(SurfaceJets jets, const UvCell& cell) {
+  return std::make_shared<OcctSurface>(std::move(jets), cell);
 }
 
 }  // namespace octet

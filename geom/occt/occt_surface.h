@@ -2,16 +2,13 @@
 // A surface without closed form: B-spline, Bezier, extrusion, revolution, offset.
 #pragma once
 
-#include <Geom_Surface.hxx>
 #include <memory>
 
-#include "geom/occt/patch_tree.h"
+#include "geom/occt/surface_jets.h"
 
 namespace octet {
 
-/// `cell` is the (u,v) box of the face. Evaluated on the Geom handle, which OCCT lets threads share
-/// (adaptors are not).
-[[nodiscard]] std::shared_ptr<const Surface> make_free_form(const Handle(Geom_Surface) & surface,
-                                                            const UvCell& cell);
+/// `cell` is the (u,v) box of the face.
+[[nodiscard]] std::shared_ptr<const Surface> make_free_form(SurfaceJets jets, const UvCell& cell);
 
 }  // namespace octet

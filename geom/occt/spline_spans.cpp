@@ -8,35 +8,14 @@
 #include <Geom_BezierSurface.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <algorithm>
-#include <array>
 #include <cmath>
+
+#include "geom/occt/bernstein.h"
 
 namespace octet {
 namespace {
 
-/// Rounding grows as 2^degree, of the size of a span: 2e-13 of it for 8 by 3.
-constexpr int kMaxDegree = 10;
 constexpr std::size_t kMaxCoefficients = 4'000'000;  // 128 MB
-
-using Matrix = std::array<std::array<double, kMaxDegree + 1>, kMaxDegree + 1>;
-
-/// matrix[k][i]: coefficient of s^k in the i-th Bernstein polynomial of this degree at 1/2 + s.
-Matrix bernstein_to_power(int degree) {
-  Matrix matrix{};
-  double choose = 1.0;
-  for (int i = 0; i <= degree; ++i) {
-    std::array<double, kMaxDegree + 2> poly{};
-    poly[0] = choose;
-    for (int factor = 0; factor < degree; ++factor) {
-      const double slope = factor < i ? 1.0 : -1.0;
-      for (int k = factor + 1; k >= 1; --k) poly[k] = 0.5 * poly[k] + slope * poly[k - 1];
-      poly[0] *= 0.5;
-    }
-    for (int k = 0; k <= degree; ++k) matrix[k][i] = poly[k];
-    choose = choose * (degree - i) / (i + 1);
-  }
-  return matrix;
-}
 
 std::vector<double> to_vector(const TColStd_Array1OfReal& array) {
   std::vector<double> items;
@@ -55,8 +34,8 @@ Vec3 middle_of(const Geom_BezierSurface& patch) {
 }
 
 /// Homogeneous coefficients about `middle`, by power of u, then of v.
-void append_powers(const Geom_BezierSurface& patch, const Vec3& middle, const Matrix& mu, const Matrix& mv,
-                   std::vector<Eigen::Vector4d>& coefficients) {
+void append_powers(const Geom_BezierSurface& patch, const Vec3& middle, const BernsteinMatrix& mu,
+                   const BernsteinMatrix& mv, std::vector<Eigen::Vector4d>& coefficients) {
   for (int k = 0; k <= patch.UDegree(); ++k)
     for (int l = 0; l <= patch.VDegree(); ++l) {
       Eigen::Vector4d sum = Eigen::Vector4d::Zero();
@@ -71,17 +50,6 @@ void append_powers(const Geom_BezierSurface& patch, const Vec3& middle, const Ma
     }
 }
 
-/// Value and derivatives of a polynomial by Horner's rule.
-struct Row {
-  Eigen::Vector4d value = Eigen::Vector4d::Zero(), first = Eigen::Vector4d::Zero(),
-                  second = Eigen::Vector4d::Zero();
-  void push(const Eigen::Vector4d& c, double s, int derivatives) {
-    if (derivatives > 1) second = second * s + first;
-    if (derivatives > 0) first = first * s + value;
-    value = value * s + c;
-  }
-};
-
 }  // namespace
 
 std::unique_ptr<const SplineSpans> SplineSpans::make(const Handle(Geom_Surface) & surface) {
@@ -90,7 +58,7 @@ std::unique_ptr<const SplineSpans> SplineSpans::make(const Handle(Geom_Surface) 
     if (Handle(Geom_BezierSurface)::DownCast(surface).IsNull()) return nullptr;
     spline = GeomConvert::SurfaceToBSplineSurface(surface);
   }
-  if (spline->UDegree() > kMaxDegree || spline->VDegree() > kMaxDegree) return nullptr;
+  if (spline->UDegree() > kMaxSpanDegree || spline->VDegree() > kMaxSpanDegree) return nullptr;
   auto result = std::make_unique<SplineSpans>();
   result->u_.degree = spline->UDegree();
   result->v_.degree = spline->VDegree();
@@ -107,7 +75,8 @@ std::unique_ptr<const SplineSpans> SplineSpans::make(const Handle(Geom_Surface) 
   convert.VKnots(v_knots);
   result->u_.knots = to_vector(u_knots);
   result->v_.knots = to_vector(v_knots);
-  const Matrix mu = bernstein_to_power(spline->UDegree()), mv = bernstein_to_power(spline->VDegree());
+  const BernsteinMatrix mu = bernstein_to_power(spline->UDegree()),
+                        mv = bernstein_to_power(spline->VDegree());
   for (int a = 1; a <= u_spans; ++a)
     for (int b = 1; b <= v_spans; ++b) {
       const Handle(Geom_BezierSurface) patch = convert.Patch(a, b);
@@ -134,9 +103,9 @@ SurfaceJet SplineSpans::evaluate(const Vec2& uv, int derivatives) const {
   const auto nu = static_cast<std::size_t>(u_.degree) + 1, nv = static_cast<std::size_t>(v_.degree) + 1;
   const std::size_t span = a * (v_.knots.size() - 1) + b;
   const Eigen::Vector4d* c = coefficients_.data() + span * nu * nv;
-  Row at, along_v, along_vv;
+  HornerRow at, along_v, along_vv;
   for (std::size_t k = nu; k-- > 0;) {
-    Row row;
+    HornerRow row;
     for (std::size_t l = nv; l-- > 0;) row.push(c[k * nv + l], r, derivatives);
     at.push(row.value, s, derivatives);
     if (derivatives > 0) along_v.push(row.first, s, derivatives - 1);

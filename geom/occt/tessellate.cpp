@@ -121,6 +121,7 @@ class Welder {
   void add_triangles(int tag, const FaceMesh& mesh) {
     Facets& facets = parts_.facets;
     const bool reversed = parts_.faces[tag].reversed;
+    const auto to_ours = from_occt_uv(*parts_.surfaces[tag]);
     for (int i = 1; i <= mesh.triangulation->NbTriangles(); ++i) {
       int corner[3];
       mesh.triangulation->Triangle(i).Get(corner[0], corner[1], corner[2]);
@@ -130,7 +131,7 @@ class Welder {
       for (int k = 0; k < 3; ++k) {
         nodes[k] = mesh.node[static_cast<std::size_t>(corner[k])];
         const gp_Pnt2d at = mesh.triangulation->UVNode(corner[k]);
-        uv[k] = {at.X(), at.Y()};
+        uv[k] = to_ours({at.X(), at.Y()});
       }
       // The edge along a pole has no length: its triangles are welded to nothing.
       if (nodes[0] == nodes[1] || nodes[1] == nodes[2] || nodes[2] == nodes[0]) continue;

@@ -66,9 +66,10 @@ bool is_crease(const TopoDS_Edge& edge, const TopoDS_Face& face, const Surface& 
   const auto left = BRep_Tool::CurveOnSurface(TopoDS::Edge(edge.Oriented(TopAbs_FORWARD)), forward, a0, a1);
   const auto right = BRep_Tool::CurveOnSurface(TopoDS::Edge(edge.Oriented(TopAbs_REVERSED)), forward, b0, b1);
   if (left.IsNull() || right.IsNull()) return false;
+  const auto to_ours = from_occt_uv(surface);
   for (const double share : {0.11, 0.37, 0.5, 0.71, 0.93}) {
     const gp_Pnt2d l = left->Value(a0 + share * (a1 - a0)), r = right->Value(b0 + share * (b1 - b0));
-    const Vec3 n = surface.normal({l.X(), l.Y()}), m = surface.normal({r.X(), r.Y()});
+    const Vec3 n = surface.normal(to_ours({l.X(), l.Y()})), m = surface.normal(to_ours({r.X(), r.Y()}));
     if (n.norm() > 0.5 && m.norm() > 0.5 && n.dot(m) < kCreaseCosine) return true;
   }
   return false;

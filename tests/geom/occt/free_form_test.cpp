@@ -36,7 +36,7 @@ std::shared_ptr<const Surface> nurbs(const Handle(Geom_Surface) & surface, doubl
   const Handle(Geom_BSplineSurface) spline = GeomConvert::SurfaceToBSplineSurface(piece);
   UvCell cell;
   spline->Bounds(cell.lo.x(), cell.hi.x(), cell.lo.y(), cell.hi.y());
-  return make_free_form(spline, cell);
+  return make_free_form(SurfaceJets(spline), cell);
 }
 
 std::shared_ptr<const Surface> nurbs_cylinder() {
