@@ -2,6 +2,8 @@
 // The list of claims, in the order in which a reader wants to know.
 #include "classify/acceptance.h"
 
+#include <oneapi/tbb/parallel_for.h>
+
 #include <algorithm>
 
 #include "classify/claims.h"
@@ -17,15 +19,17 @@ Acceptance accept_mesh(const Mesh& mesh, const Model& model, const AcceptanceOpt
   result.claims.push_back(claim_numbers(mesh, model));
   if (!result.claims[0].holds) return result;  // nothing else can be asked
   const ClaimInput in(mesh, model);
-  for (const auto claim :
-       {claim_positive_volume, claim_conforming, claim_boundary_classified, claim_interfaces_classified,
-        claim_regions_connected, claim_orphan_nodes, claim_duplicate_nodes, claim_closure,
-        claim_upward_counts, claim_model_vertices, claim_edge_chains, claim_face_euler, claim_face_borders,
-        claim_face_orientation, claim_nodes_on_entity, claim_edge_length, claim_face_area,
-        claim_region_volume, claim_volumes_add_up})
-    result.claims.push_back(claim(in));
-  if (options.overlap) result.claims.push_back(claim_no_overlap(in));
-  if (options.sample_surface) result.claims.push_back(claim_surface_distance(in));
+  std::vector<Claim (*)(const ClaimInput&)> asked{
+      claim_positive_volume,   claim_conforming,       claim_boundary_classified, claim_interfaces_classified,
+      claim_regions_connected, claim_orphan_nodes,     claim_duplicate_nodes,     claim_closure,
+      claim_upward_counts,     claim_model_vertices,   claim_edge_chains,         claim_face_euler,
+      claim_face_borders,      claim_face_orientation, claim_nodes_on_entity,     claim_edge_length,
+      claim_face_area,         claim_region_volume,    claim_volumes_add_up};
+  if (options.overlap) asked.push_back(claim_no_overlap);
+  if (options.sample_surface) asked.push_back(claim_surface_distance);
+  result.claims.resize(1 + asked.size());
+  tbb::parallel_for(std::size_t{0}, asked.size(),
+                    [&](std::size_t i) { result.claims[i + 1] = asked[i](in); });
   return result;
 }
 

@@ -2,9 +2,13 @@
 // The costly questions to the model (feet of nodes and centroids) are asked once, here.
 #include "classify/claims.h"
 
+#include <oneapi/tbb/blocked_range.h>
+
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+
+#include "classify/blocks.h"
 
 namespace octet {
 namespace {
@@ -12,6 +16,8 @@ namespace {
 constexpr std::size_t kFaultsKept = 10;
 // A node that is off its entity by less than this share of the diagonal harms nobody.
 constexpr double kNodeShare = 1e-7;
+/// Feet a task.
+constexpr std::size_t kFeet = 128;
 
 NodeFoot foot_of_node(const ClaimInput& in, Mesh::Index v) {
   const ModelRef ref = in.mesh.point_on[v];
@@ -106,19 +112,36 @@ std::vector<std::vector<std::uint32_t>> by_tag(const std::vector<std::int32_t>& 
 
 }  // namespace
 
+template <class Foot>
+NodeFeet::NodeFeet(const Mesh& mesh, const Foot& foot) : number_(mesh.points.size(), 0), feet_(1) {
+  std::vector<Mesh::Index> asked;
+  for (Mesh::Index v = 0; v < mesh.points.size(); ++v) {
+    if (mesh.point_on[v].dim == 3) continue;
+    asked.push_back(v);
+    number_[v] = static_cast<std::uint32_t>(asked.size());
+  }
+  feet_.resize(asked.size() + 1);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, asked.size(), kFeet), [&](const auto& range) {
+    for (std::size_t i = range.begin(); i != range.end(); ++i) feet_[i + 1] = foot(asked[i]);
+  });
+}
+
 ClaimInput::ClaimInput(const Mesh& m, const Model& part)
     : mesh(m),
       model(part),
-      uses(m),
+      node_tolerance(kNodeShare * part.diagonal()),
+      sweep(sweep_tets(m, part)),
+      uses(sweep.proves_pairs() ? FaceUses(m, sweep.on_surface) : FaceUses(m)),
       pieces_on(by_tag(m.edge_on, part.count(1))),
       triangles_on(by_tag(m.triangle_on, part.count(2))),
       sides(sorted_sides(m)),
       pieces(sorted_pieces(m)),
-      node_tolerance(kNodeShare * part.diagonal()) {
-  node_foot.reserve(m.points.size());
-  for (Mesh::Index v = 0; v < m.points.size(); ++v) node_foot.push_back(foot_of_node(*this, v));
-  triangle_foot.reserve(m.triangles.size());
-  for (std::uint32_t t = 0; t < m.triangles.size(); ++t) triangle_foot.push_back(foot_of_triangle(*this, t));
+      node_foot(m, [this](Mesh::Index v) { return foot_of_node(*this, v); }),
+      triangle_foot(m.triangles.size()) {
+  tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, m.triangles.size(), kFeet), [&](const auto& range) {
+    for (std::uint32_t t = range.begin(); t != range.end(); ++t)
+      triangle_foot[t] = foot_of_triangle(*this, t);
+  });
 }
 
 double ClaimInput::longest_side(const std::array<Mesh::Index, 3>& t) const {

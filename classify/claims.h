@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "classify/acceptance.h"
+#include "classify/tet_sweep.h"
 #include "mesh/face_uses.h"
 
 namespace octet {
@@ -37,6 +38,19 @@ struct NodeFoot {
   Vec3 normal = Vec3::Zero();  ///< of the face there
 };
 
+/// The feet of mesh vertices on edges and faces; others have the foot of one that is where it should be.
+class NodeFeet {
+ public:
+  /// Asks foot(v) for each vertex v of `mesh` that is not inside a region, in parallel.
+  template <class Foot>
+  NodeFeet(const Mesh& mesh, const Foot& foot);
+  [[nodiscard]] const NodeFoot& operator[](Mesh::Index v) const { return feet_[number_[v]]; }
+
+ private:
+  std::vector<std::uint32_t> number_;  ///< per vertex, 0 inside regions
+  std::vector<NodeFoot> feet_;
+};
+
 /// What the model says at the centroid of a mesh triangle.
 struct TriangleFoot {
   Vec3 normal = Vec3::Zero();  ///< of the face, zero where it has none
@@ -51,14 +65,15 @@ struct ClaimInput {
 
   const Mesh& mesh;
   const Model& model;
-  FaceUses uses;
+  double node_tolerance = 0.0;  ///< the least distance asked of a node, see there
+  TetSweep sweep;
+  FaceUses uses;  ///< all faces; where sweep.proves_pairs(), only those that may be anything but pairs
   std::vector<std::vector<std::uint32_t>> pieces_on;     ///< per model edge tag: mesh edges
   std::vector<std::vector<std::uint32_t>> triangles_on;  ///< per model face tag: mesh triangles
   std::vector<TriangleSide> sides;                       ///< sorted by (v, face)
   std::vector<EdgePieceRef> pieces;                      ///< sorted by v
-  std::vector<NodeFoot> node_foot;                       ///< per mesh vertex
+  NodeFeet node_foot;                                    ///< per mesh vertex
   std::vector<TriangleFoot> triangle_foot;               ///< per mesh triangle
-  double node_tolerance = 0.0;                           ///< the least distance asked of a node, see there
 
   [[nodiscard]] const Vec3& point(Mesh::Index v) const { return mesh.points[v]; }
   [[nodiscard]] Vec3 centroid(const std::array<Mesh::Index, 3>& t) const {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "classify/blocks.h"
 #include "classify/claims.h"
 #include "geom/facet_bvh.h"
 
@@ -16,6 +17,8 @@ constexpr double kShare = 0.5;  // of the local mesh edge
 // Facets much finer than the mesh tell nothing new: then only every so many are asked.
 constexpr double kSamplesPerTriangle = 4.0;
 constexpr int kMostSteps = 64;
+/// Facets a task; few, for each may hold thousands of samples.
+constexpr std::size_t kFacets = 16;
 
 /// A sampling of one face: how many facets are passed over, and how finely the others are divided.
 struct Density {
@@ -31,7 +34,7 @@ double mean_side(const ClaimInput& in, const std::vector<std::uint32_t>& triangl
 
 class SurfaceSampler {
  public:
-  SurfaceSampler(const ClaimInput& in, ClaimBuilder& claim) : in_(in), claim_(claim) {
+  explicit SurfaceSampler(const ClaimInput& in) : in_(in) {
     Facets surface;
     surface.nodes = in.mesh.points;
     for (const auto& t : in.mesh.triangles) surface.triangles.push_back({t[0], t[1], t[2]});
@@ -39,25 +42,49 @@ class SurfaceSampler {
     bvh_ = FacetBvh(surface, std::vector<double>(surface.triangles.size(), 0.0), in.model.count(2));
   }
 
-  double run() {
+  /// Tells the claim what is too far; returns the worst share.
+  double run(ClaimBuilder& claim) {
     const Facets& facets = in_.model.facets();
     std::vector<std::vector<std::uint32_t>> on(in_.triangles_on.size());
     for (std::uint32_t f = 0; f < facets.triangles.size(); ++f) on[facets.face[f]].push_back(f);
+    double worst = 0.0;
     for (std::size_t face = 1; face < on.size(); ++face) {
       const auto& triangles = in_.triangles_on[face];
       if (triangles.empty()) continue;  // the claim face-euler tells
       const double asked = std::max(64.0, kSamplesPerTriangle * static_cast<double>(triangles.size()));
       const Density density{1 + static_cast<std::size_t>(static_cast<double>(on[face].size()) / asked),
                             0.7 * mean_side(in_, triangles)};
-      for (std::size_t i = 0; i < on[face].size(); i += density.stride)
-        sample_facet(static_cast<int>(face), on[face][i], density);
+      const std::size_t asked_facets = (on[face].size() + density.stride - 1) / density.stride;
+      const auto sample = [&](std::size_t first, std::size_t last) {
+        Found found;
+        for (std::size_t i = first; i < last; ++i)
+          sample_facet(static_cast<int>(face), on[face][i * density.stride], density, found);
+        return found;
+      };
+      for (const Found& found : map_blocks<Found>(asked_facets, kFacets, sample)) {
+        worst = std::max(worst, found.worst);
+        for (const FarPlace& far : found.far)
+          claim.fault(far.share, model_face(static_cast<int>(face)), far.place,
+                      fmt::format("the mesh is {:.3g} away from the face, {:.2g} of its edges there",
+                                  far.distance, far.share),
+                      kFiner);
+      }
     }
-    return worst_;
+    return worst;
   }
 
  private:
+  struct FarPlace {
+    double share = 0.0, distance = 0.0;
+    Vec3 place;
+  };
+  struct Found {
+    double worst = 0.0;
+    std::vector<FarPlace> far;
+  };
+
   /// Samples at the centroids of the facet's n x n division, on the exact surface.
-  void sample_facet(int face, std::uint32_t f, const Density& density) {
+  void sample_facet(int face, std::uint32_t f, const Density& density, Found& found) const {
     const Facets& facets = in_.model.facets();
     const auto& v = facets.triangles[f];
     const double longest = std::max({(facets.nodes[v[0]] - facets.nodes[v[1]]).norm(),
@@ -69,26 +96,20 @@ class SurfaceSampler {
       for (int j = 0; i + j < n; ++j) {
         const double s = (i + 1.0 / 3.0) / n, t = (j + 1.0 / 3.0) / n;
         const Vec2 at = (1.0 - s - t) * uv[0] + s * uv[1] + t * uv[2];
-        check(face, in_.model.face_jet(face, at, 0).p);
+        check(face, in_.model.face_jet(face, at, 0).p, found);
       }
   }
 
-  void check(int face, const Vec3& p) {
+  void check(int face, const Vec3& p, Found& found) const {
     const auto near = bvh_.nearest(p, std::numeric_limits<double>::infinity(), face);
     if (!near) return;
     const double share = near->distance / in_.longest_side(in_.mesh.triangles[near->triangle]);
-    worst_ = std::max(worst_, share);
-    if (share > kShare)
-      claim_.fault(share, model_face(face), p,
-                   fmt::format("the mesh is {:.3g} away from the face, {:.2g} of its edges there",
-                               near->distance, share),
-                   kFiner);
+    found.worst = std::max(found.worst, share);
+    if (share > kShare) found.far.push_back({share, near->distance, p});
   }
 
   const ClaimInput& in_;
-  ClaimBuilder& claim_;
   FacetBvh bvh_;
-  double worst_ = 0.0;
 };
 
 }  // namespace
@@ -97,7 +118,7 @@ Claim claim_surface_distance(const ClaimInput& in) {
   ClaimBuilder claim(
       "surface-distance",
       "No place of a CAD face is farther from its triangles than half their edges; worst: share.");
-  const double worst = SurfaceSampler(in, claim).run();
+  const double worst = SurfaceSampler(in).run(claim);
   return claim.measured(worst, kShare);
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "base/predicates.h"
 #include "classify/claims.h"
@@ -54,6 +55,70 @@ void report_unclassified(const ClaimInput& in, ClaimBuilder& claim, const char* 
   }
 }
 
+/// The pieces in which tetrahedra hang together by faces.
+///
+/// Where the faces are known to be pairs, the tetrahedra at a vertex off the surface fill all space around it
+/// and so hang together by faces: such vertices stand for their tetrahedra, and only tetrahedra with all
+/// vertices on the surface stand for themselves. Where nothing is known all do.
+class Pieces {
+ public:
+  explicit Pieces(const ClaimInput& in) : in_(in), by_vertices_(in.sweep.proves_pairs()) {
+    if (by_vertices_) {
+      for (std::uint32_t t = 0; t < in.mesh.tets.size(); ++t)
+        if (inner_vertex(t) == nullptr) alone_.push_back(t);
+    }
+    parent_.resize(by_vertices_ ? in.mesh.points.size() + alone_.size() : in.mesh.tets.size());
+    std::iota(parent_.begin(), parent_.end(), 0u);
+    if (by_vertices_) join_by_vertices();
+    for (std::size_t i = 0; i < in.uses.all().size();) {
+      const auto group = in.uses.group(i);
+      i += group.size();
+      if (group.size() < 2 || in.mesh.tet_in[group[0].tet] != in.mesh.tet_in[group[1].tet]) continue;
+      join(stand_in(group[0].tet), stand_in(group[1].tet));
+    }
+    met_.assign(parent_.size(), 0);
+  }
+
+  /// Whether no tetrahedron of this one's piece has been asked for before.
+  [[nodiscard]] bool is_new(std::uint32_t tet) {
+    return std::exchange(met_[root_of(parent_, stand_in(tet))], std::uint8_t{1}) == 0;
+  }
+
+ private:
+  [[nodiscard]] const Mesh::Index* inner_vertex(std::uint32_t tet) const {
+    const auto& t = in_.mesh.tets[tet];
+    const auto at = std::find_if(t.begin(), t.end(), [&](auto v) { return in_.sweep.on_surface[v] == 0; });
+    return at == t.end() ? nullptr : &*at;
+  }
+  [[nodiscard]] std::uint32_t stand_in(std::uint32_t tet) const {
+    if (!by_vertices_) return tet;
+    if (const Mesh::Index* v = inner_vertex(tet)) return *v;
+    const auto at = std::lower_bound(alone_.begin(), alone_.end(), tet) - alone_.begin();
+    return static_cast<std::uint32_t>(in_.mesh.points.size()) + static_cast<std::uint32_t>(at);
+  }
+  void join(std::uint32_t a, std::uint32_t b) {
+    a = root_of(parent_, a);
+    b = root_of(parent_, b);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+  void join_by_vertices() {
+    for (const auto& t : in_.mesh.tets) {
+      std::uint32_t first = UINT32_MAX;
+      for (const Mesh::Index v : t) {
+        if (in_.sweep.on_surface[v] != 0) continue;
+        if (first == UINT32_MAX) first = v;
+        if (parent_[v] != parent_[first]) join(first, v);
+      }
+    }
+  }
+
+  const ClaimInput& in_;
+  bool by_vertices_;
+  std::vector<std::uint32_t> alone_;  ///< tetrahedra that stand for themselves among vertices; ascending
+  std::vector<std::uint32_t> parent_;
+  std::vector<std::uint8_t> met_;
+};
+
 }  // namespace
 
 Claim claim_numbers(const Mesh& mesh, const Model& model) {
@@ -76,17 +141,13 @@ Claim claim_numbers(const Mesh& mesh, const Model& model) {
 Claim claim_positive_volume(const ClaimInput& in) {
   ClaimBuilder claim("positive-volume",
                      "Every tetrahedron has positive volume (exact sign); worst: smallest.");
-  double smallest = in.mesh.tets.empty() ? 0.0 : std::numeric_limits<double>::max();
-  for (std::uint32_t i = 0; i < in.mesh.tets.size(); ++i) {
+  for (const std::uint32_t i : in.sweep.not_positive) {
     const auto& t = in.mesh.tets[i];
-    const double volume = in.volume(t);
-    smallest = std::min(smallest, volume);
     const int sign = orient3d(in.point(t[0]), in.point(t[1]), in.point(t[2]), in.point(t[3]));
-    if (sign > 0) continue;
-    claim.fault(-volume, model_region(in.mesh.tet_in[i]), in.centroid(t),
+    claim.fault(-in.volume(t), model_region(in.mesh.tet_in[i]), in.centroid(t),
                 fmt::format("tetrahedron {} has {} volume", i, sign == 0 ? "zero" : "negative"), kFiner);
   }
-  return claim.measured(smallest, 0.0);
+  return claim.measured(in.sweep.smallest_volume, 0.0);
 }
 
 Claim claim_conforming(const ClaimInput& in) {
@@ -127,19 +188,11 @@ Claim claim_interfaces_classified(const ClaimInput& in) {
 
 Claim claim_regions_connected(const ClaimInput& in) {
   ClaimBuilder claim("regions-connected", "Every region's tetrahedra hang together by faces.");
-  std::vector<std::uint32_t> parent(in.mesh.tets.size());
-  std::iota(parent.begin(), parent.end(), 0u);
-  for (std::size_t i = 0; i < in.uses.all().size();) {
-    const auto group = in.uses.group(i);
-    i += group.size();
-    if (group.size() < 2 || in.mesh.tet_in[group[0].tet] != in.mesh.tet_in[group[1].tet]) continue;
-    const auto a = root_of(parent, group[0].tet), b = root_of(parent, group[1].tet);
-    parent[std::max(a, b)] = std::min(a, b);
-  }
+  Pieces pieces(in);
   std::vector<int> seen(static_cast<std::size_t>(in.model.count(3)) + 1, 0);
-  for (std::uint32_t i = 0; i < parent.size(); ++i) {
+  for (std::uint32_t i = 0; i < in.mesh.tets.size(); ++i) {
     const std::int32_t region = in.mesh.tet_in[i];
-    if (parent[i] != i || ++seen[region] == 1) continue;
+    if (!pieces.is_new(i) || ++seen[region] == 1) continue;
     claim.fault(1.0, model_region(region), in.centroid(in.mesh.tets[i]),
                 fmt::format("piece {} of the region touches the others by no face", seen[region]), kFiner);
   }

@@ -214,16 +214,13 @@ Claim claim_region_volume(const ClaimInput& in) {
                      "Every region's volume is the CAD's within the chord error; worst: share of that.");
   double worst = 0.0;
   const auto faces = all_face_sums(in);
-  std::vector<double> volume(static_cast<std::size_t>(in.model.count(3)) + 1, 0.0);
-  for (std::size_t i = 0; i < in.mesh.tets.size(); ++i)
-    volume[in.mesh.tet_in[i]] += in.volume(in.mesh.tets[i]);
   for (int tag = 1; tag <= in.model.count(3); ++tag) {
     const ModelRegion& region = in.model.region(tag);
     double allowed = kExact * std::abs(region.volume);
     for (const int face : region.faces) allowed += faces[face].volume_error;
     const Vec3 place = region.faces.empty() ? in.model.box().centre() : place_of_face(in, region.faces[0]);
-    worst = std::max(
-        worst, compare(claim, model_region(tag), place, "the volume", volume[tag], region.volume, allowed));
+    worst = std::max(worst, compare(claim, model_region(tag), place, "the volume", in.sweep.filled[tag],
+                                    region.volume, allowed));
   }
   return claim.measured(worst, 1.0);
 }

@@ -5,13 +5,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 
+#include "classify/blocks.h"
 #include "classify/claims.h"
 #include "classify/triangle_crossing.h"
 #include "geom/facet_bvh.h"
 
 namespace octet {
 namespace {
+
+/// Sides a task.
+constexpr std::size_t kBlock = 1024;
 
 /// Whether a side meets a triangle anywhere but in the vertices that they share.
 bool side_meets(const ClaimInput& in, const std::array<Mesh::Index, 2>& side,
@@ -47,10 +52,9 @@ Claim claim_volumes_add_up(const ClaimInput& in) {
   ClaimBuilder claim("volumes-add-up",
                      "The tetrahedra of every region fill what its triangles enclose; worst: relative.");
   const std::size_t n = static_cast<std::size_t>(in.model.count(3)) + 1;
-  std::vector<double> filled(n, 0.0), enclosed(n, 0.0);
+  const std::vector<double>& filled = in.sweep.filled;
+  std::vector<double> enclosed(n, 0.0);
   const Vec3 origin = in.model.box().centre();
-  for (std::size_t i = 0; i < in.mesh.tets.size(); ++i)
-    filled[in.mesh.tet_in[i]] += in.volume(in.mesh.tets[i]);
   for (std::size_t i = 0; i < in.mesh.triangles.size(); ++i) {
     const auto& t = in.mesh.triangles[i];
     const ModelFace& face = in.model.face(in.mesh.triangle_on[i]);
@@ -81,21 +85,29 @@ Claim claim_no_overlap(const ClaimInput& in) {
   const Facets surface = surface_of(in.mesh);
   const std::vector<double> grow(surface.triangles.size(), in.model.tolerance());
   const FacetBvh bvh(surface, grow, in.model.count(2));
-  std::vector<std::uint32_t> met;
-  for (std::size_t i = 0; i < in.sides.size(); ++i) {
-    const auto& side = in.sides[i].v;
-    if (i > 0 && in.sides[i - 1].v == side) continue;
-    met.clear();
-    bvh.visit_segment(in.point(side[0]), in.point(side[1]), [&](std::uint32_t triangle) {
-      if (side_meets(in, side, in.mesh.triangles[triangle])) met.push_back(triangle);
-    });
+  struct Meeting {
+    std::size_t side;
+    std::uint32_t triangle;
+    auto operator<=>(const Meeting&) const = default;
+  };
+  const auto meetings = [&](std::size_t first, std::size_t last) {
+    std::vector<Meeting> met;
+    for (std::size_t i = first; i < last; ++i) {
+      const auto& side = in.sides[i].v;
+      if (i > 0 && in.sides[i - 1].v == side) continue;
+      bvh.visit_segment(in.point(side[0]), in.point(side[1]), [&](std::uint32_t triangle) {
+        if (side_meets(in, side, in.mesh.triangles[triangle])) met.push_back({i, triangle});
+      });
+    }
     std::sort(met.begin(), met.end());
-    for (const std::uint32_t triangle : met)
+    return met;
+  };
+  for (const auto& met : map_blocks<std::vector<Meeting>>(in.sides.size(), kBlock, meetings))
+    for (const auto& [side, triangle] : met)
       claim.fault(1.0, model_face(in.mesh.triangle_on[triangle]), in.centroid(in.mesh.triangles[triangle]),
                   fmt::format("triangle {} is pierced by a side of a triangle on {}", triangle,
-                              in.model.describe(model_face(in.sides[i].face))),
+                              in.model.describe(model_face(in.sides[side].face))),
                   kFiner);
-  }
   return claim.counted();
 }
 

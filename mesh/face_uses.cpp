@@ -38,18 +38,32 @@ SortedFace sorted_face(const std::array<Mesh::Index, 3>& face) {
   return s;
 }
 
-FaceUses::FaceUses(const Mesh& mesh) : uses_(4 * mesh.tets.size()), first_(mesh.points.size() + 2, 0) {
+template <class Wanted>
+void FaceUses::fill(const Mesh& mesh, const Wanted& wanted) {
   // first_[v + 2] counts, then first_[v + 1] is the writing position of v, and ends as the start of v + 1.
-  for (std::size_t t = 0; t < mesh.tets.size(); ++t)
-    for (int f = 0; f < 4; ++f) ++first_[face_use(mesh, t, f).v[0] + 2];
+  first_.assign(mesh.points.size() + 2, 0);
+  const auto for_each = [&](const auto& take) {
+    for (std::size_t t = 0; t < mesh.tets.size(); ++t)
+      for (int f = 0; f < 4; ++f)
+        if (wanted(mesh.tets[t], f)) take(face_use(mesh, t, f));
+  };
+  for_each([&](const FaceUse& use) { ++first_[use.v[0] + 2]; });
   for (std::size_t v = 2; v < first_.size(); ++v) first_[v] += first_[v - 1];
-  for (std::size_t t = 0; t < mesh.tets.size(); ++t)
-    for (int f = 0; f < 4; ++f) {
-      const FaceUse use = face_use(mesh, t, f);
-      uses_[first_[use.v[0] + 1]++] = use;
-    }
+  uses_.resize(first_.back());
+  for_each([&](const FaceUse& use) { uses_[first_[use.v[0] + 1]++] = use; });
   for (std::size_t v = 0; v + 1 < first_.size(); ++v)
     std::sort(uses_.begin() + first_[v], uses_.begin() + first_[v + 1], before);
+}
+
+FaceUses::FaceUses(const Mesh& mesh) {
+  fill(mesh, [](const auto&, int) { return true; });
+}
+
+FaceUses::FaceUses(const Mesh& mesh, std::span<const std::uint8_t> flagged) {
+  fill(mesh, [&](const std::array<Mesh::Index, 4>& t, int f) {
+    return flagged[t[kOutwardFace[f][0]]] != 0 && flagged[t[kOutwardFace[f][1]]] != 0 &&
+           flagged[t[kOutwardFace[f][2]]] != 0;
+  });
 }
 
 std::span<const FaceUse> FaceUses::find(const std::array<Mesh::Index, 3>& face) const {

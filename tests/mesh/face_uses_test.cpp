@@ -32,6 +32,24 @@ TEST(FaceUses, BoundaryFacesHaveOneUseAndInnerFacesTwoOnOppositeSides) {
   EXPECT_EQ(single, mesh.triangles.size());
 }
 
+TEST(FaceUses, OfFlaggedVerticesAreThoseOfAllWithFlaggedVertices) {
+  const Mesh mesh = test::plain_box_mesh(3);
+  std::vector<std::uint8_t> flagged(mesh.points.size(), 0);
+  for (const auto& t : mesh.triangles)
+    for (const Mesh::Index v : t) flagged[v] = 1;
+  const FaceUses all(mesh), some(mesh, flagged);
+  std::size_t expected = 0;
+  for (const FaceUse& use : all.all()) {
+    if (flagged[use.v[0]] == 0 || flagged[use.v[1]] == 0 || flagged[use.v[2]] == 0) continue;
+    ASSERT_LT(expected, some.all().size());
+    EXPECT_EQ(some.all()[expected].v, use.v);
+    EXPECT_EQ(some.all()[expected].tet, use.tet);
+    ++expected;
+  }
+  EXPECT_EQ(expected, some.all().size());
+  EXPECT_LT(some.all().size(), all.all().size());
+}
+
 TEST(FaceUses, AnOutwardTriangleHasTheParityOfItsUse) {
   const Mesh mesh = test::plain_box_mesh(2);
   const FaceUses uses(mesh);
