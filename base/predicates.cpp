@@ -13,6 +13,7 @@
 #include <cmath>
 #include <initializer_list>
 #include <limits>
+#include <type_traits>
 #include <utility>
 
 #include "base/exact_difference.h"
@@ -42,10 +43,14 @@ auto orient_determinant(const Difference<T>& b, const Difference<T>& c, const Di
   return (bc * d.z - bd * c.z) + cd * b.z;
 }
 
-// Determinant of the rows (a, |a|^2) .. (d, |d|^2) with its sign changed, expanded along the last column.
+// Determinants of three of the rows a, b, c, d.
 template <class T>
-auto insphere_determinant(const Difference<T>& a, const Difference<T>& b, const Difference<T>& c,
-                          const Difference<T>& d) {
+struct Minors {
+  T abc, abd, acd, bcd;
+};
+
+template <class T>
+auto minors(const Difference<T>& a, const Difference<T>& b, const Difference<T>& c, const Difference<T>& d) {
   const auto ab = a.x * b.y - a.y * b.x;
   const auto ac = a.x * c.y - a.y * c.x;
   const auto ad = a.x * d.y - a.y * d.x;
@@ -56,8 +61,21 @@ auto insphere_determinant(const Difference<T>& a, const Difference<T>& b, const 
   const auto abd = (bd * a.z - ad * b.z) + ab * d.z;
   const auto acd = (cd * a.z - ad * c.z) + ac * d.z;
   const auto bcd = (cd * b.z - bd * c.z) + bc * d.z;
+  return Minors<std::remove_const_t<decltype(abc)>>{abc, abd, acd, bcd};
+}
+
+// Determinant of the rows (a, |a|^2) .. (d, |d|^2) with its sign changed, expanded along the last column.
+template <class T, class M>
+auto insphere_determinant(const Difference<T>& a, const Difference<T>& b, const Difference<T>& c,
+                          const Difference<T>& d, const M& m) {
   const auto lift = [](const Difference<T>& p) { return (p.x * p.x + p.y * p.y) + p.z * p.z; };
-  return (lift(a) * bcd - lift(b) * acd) + (lift(c) * abd - lift(d) * abc);
+  return (lift(a) * m.bcd - lift(b) * m.acd) + (lift(c) * m.abd - lift(d) * m.abc);
+}
+
+template <class T>
+auto insphere_determinant(const Difference<T>& a, const Difference<T>& b, const Difference<T>& c,
+                          const Difference<T>& d) {
+  return insphere_determinant(a, b, c, d, minors(a, b, c, d));
 }
 
 Difference<double> minus(const Vec3& a, const Vec3& b) {
@@ -206,6 +224,47 @@ int insphere_by_rank(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d,
   for (const int i : order) {
     const int sign = weight_sign(points, i);
     if (sign != 0) return sign;
+  }
+  return 0;
+}
+
+int insphere_on_lattice(const std::uint64_t rank[5]) {
+  constexpr std::int64_t kFarthest = 1 << 11;  // determinants stay below 2^62
+  if ((rank[0] & rank[1] & rank[2] & rank[3] & rank[4]) >> 63 == 0) return 0;
+  std::array<Difference<std::int64_t>, 4> rows;
+  const auto e = octree_vertex_lattice(rank[4]);
+  std::int64_t any = 0;
+  for (int i = 0; i < 4; ++i) {
+    const auto p = octree_vertex_lattice(rank[i]);
+    rows[i] = {std::int64_t{p[0]} - e[0], std::int64_t{p[1]} - e[1], std::int64_t{p[2]} - e[2]};
+    any |= rows[i].x | rows[i].y | rows[i].z;
+  }
+  const int shift = std::countr_zero(static_cast<std::uint64_t>(any));
+  std::int64_t farthest = 0;
+  for (auto& r : rows) {
+    for (std::int64_t* x : {&r.x, &r.y, &r.z}) {
+      *x >>= shift;
+      farthest = std::max(farthest, *x < 0 ? -*x : *x);
+    }
+  }
+  if (farthest >= kFarthest) return 0;
+  const auto& [a, b, c, d] = rows;
+  const auto m = minors(a, b, c, d);
+  const std::int64_t sphere = insphere_determinant(a, b, c, d, m);
+  if (sphere != 0) return sphere > 0 ? 1 : -1;
+  // The coefficients of the five weights, as in weight_sign(): orient3d(a,b,c,e) is -abc.
+  const std::array<std::int64_t, 5> weight{-m.bcd, m.acd, -m.abd, m.abc, m.bcd - m.acd + m.abd - m.abc};
+  std::array<int, 5> order{0, 1, 2, 3, 4};  // the heaviest first
+  std::sort(order.begin(), order.end(), [&](int i, int j) { return rank[i] > rank[j]; });
+  for (int first = 0, end; first < 5; first = end) {
+    std::int64_t sum = 0;
+    for (end = first;
+         end < 5 && rank[order[end]] >> kRankClassShift == rank[order[first]] >> kRankClassShift;)
+      sum += weight[order[end++]];
+    if (sum != 0) return sum > 0 ? 1 : -1;
+  }
+  for (const int i : order) {
+    if (weight[i] != 0) return weight[i] > 0 ? 1 : -1;
   }
   return 0;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
 
@@ -30,6 +31,14 @@ inline constexpr int kRankClassShift = 57;
   static_assert(3 * kBits <= kRankClassShift && 2 * kLatticeLevels + 1 < 64);
   return (std::uint64_t{1} << 63) | (head << kRankClassShift) | (std::uint64_t{i} << (2 * kBits)) |
          (std::uint64_t{j} << kBits) | k;
+}
+
+/// The lattice coordinates in the rank of an octree vertex.
+[[nodiscard]] constexpr std::array<std::uint32_t, 3> octree_vertex_lattice(std::uint64_t rank) {
+  constexpr int kBits = kLatticeLevels + 1;
+  constexpr std::uint64_t kMask = (std::uint64_t{1} << kBits) - 1;
+  return {static_cast<std::uint32_t>(rank >> (2 * kBits) & kMask),
+          static_cast<std::uint32_t>(rank >> kBits & kMask), static_cast<std::uint32_t>(rank & kMask)};
 }
 
 /// Rank of the n-th point that is not an octree vertex.

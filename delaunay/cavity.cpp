@@ -12,13 +12,14 @@ constexpr std::uint32_t kLastEpoch = 0x7ffffffe;  // marks are twice the epoch, 
 
 bool in_sphere(const Complex& complex, TetId t, const Vec3& point, std::uint64_t rank) {
   const auto& v = complex.mesh.tets[t];
+  const std::uint64_t ranks[5] = {complex.rank[v[0]], complex.rank[v[1]], complex.rank[v[2]],
+                                  complex.rank[v[3]], rank};
+  // Half the questions are about octree vertices alone, and most of those are ties.
+  if (const int sign = insphere_on_lattice(ranks); sign != 0) return sign > 0;
   const Vec3 &a = complex.point(v[0]), &b = complex.point(v[1]), &c = complex.point(v[2]),
              &d = complex.point(v[3]);
   const int sign = insphere(a, b, c, d, point);
-  if (sign != 0) return sign > 0;
-  const std::uint64_t ranks[5] = {complex.rank[v[0]], complex.rank[v[1]], complex.rank[v[2]],
-                                  complex.rank[v[3]], rank};
-  return insphere_by_rank(a, b, c, d, point, ranks) > 0;
+  return sign != 0 ? sign > 0 : insphere_by_rank(a, b, c, d, point, ranks) > 0;
 }
 
 // Breadth-first search over conflicting tetrahedra. `first_visit(t)` is asked once per meeting and tells

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numeric>
 #include <random>
+#include <set>
 #include <vector>
 
 #include "base/vertex_order.h"
@@ -244,6 +245,46 @@ TEST(Predicates, RankedIsNeverZeroAndChangesSignUnderEveryExchange) {
     }
   }
   EXPECT_GT(ties, 300);
+}
+
+TEST(Predicates, OnLatticeAgreesWithRankedForOctreeVertices) {
+  Random random(77);
+  int told = 0, ties = 0;
+  for (int n = 0; n < 200000; ++n) {
+    // Corners of octants near to each other, at any place of the root, some with wide gaps.
+    const int level = random.integer(6), spread = n % 10 == 0 ? 3000 : 1 + random.integer(4);
+    std::array<std::array<std::uint32_t, 3>, 5> at;
+    const int room = (1 << (kLatticeLevels - level)) - spread;
+    const std::array<int, 3> corner{random.integer(room), random.integer(room), random.integer(room)};
+    Five p;
+    Ranks rank;
+    for (int k = 0; k < 5; ++k) {
+      for (int axis = 0; axis < 3; ++axis)
+        at[k][axis] = static_cast<std::uint32_t>(corner[axis] + random.integer(spread + 1)) << level;
+      p[k] = Vec3(at[k][0], at[k][1], at[k][2]) * 0x1p-10 + Vec3(3.25, -7.5, 11.0);
+      rank[k] = octree_vertex_rank(at[k][0], at[k][1], at[k][2]);
+      EXPECT_EQ(octree_vertex_lattice(rank[k]), at[k]);
+    }
+    std::set<std::uint64_t> distinct(rank.begin(), rank.end());
+    if (distinct.size() < 5 || orient3d(p[0], p[1], p[2], p[3]) == 0) continue;
+    const int sign = insphere_on_lattice(rank.data());
+    if (sign == 0) continue;
+    ++told;
+    ties += sphere(p) == 0 ? 1 : 0;
+    ASSERT_EQ(sign, ranked(p, rank));
+  }
+  EXPECT_GT(told, 50000);
+  EXPECT_GT(ties, 3000);
+}
+
+TEST(Predicates, OnLatticeLeavesOtherPointsAndFarOnesToOthers) {
+  Ranks rank{octree_vertex_rank(0, 0, 0), octree_vertex_rank(1, 0, 0), octree_vertex_rank(0, 1, 0),
+             octree_vertex_rank(0, 0, 1), octree_vertex_rank(1, 1, 1)};
+  EXPECT_NE(insphere_on_lattice(rank.data()), 0);
+  rank[2] = free_point_rank(7);
+  EXPECT_EQ(insphere_on_lattice(rank.data()), 0);
+  rank[2] = octree_vertex_rank(0, 1u << 13, 0);
+  EXPECT_EQ(insphere_on_lattice(rank.data()), 0);
 }
 
 int heavier(const Ranks& rank, std::uint64_t than) {
