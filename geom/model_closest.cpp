@@ -35,6 +35,7 @@ class ClosestQuery {
     });
     best_.distance = kInfinity;
     meet_edges();
+    meet_poles();
     for (std::size_t begin = 0, end = 0; begin < near_.size(); begin = end) {
       while (end < near_.size() && face_of(near_[end]) == face_of(near_[begin])) ++end;
       meet_face(std::span(near_).subspan(begin, end - begin));
@@ -81,6 +82,28 @@ class ClosestQuery {
       best_.on = model_edge(n.edge);
       set_face(data_.facets().face[n.triangle], n.triangle);
     }
+  }
+
+  /// Vertices without edges: poles and apices, where no foot on the surface may converge.
+  void meet_poles() {
+    for (const FacetFoot& f : near_)
+      for (const std::uint32_t node : data_.facets().triangles[f.triangle]) {
+        const std::int32_t v = data_.border.node_vertex[node];
+        if (v <= 0 || has_real_edge(v)) continue;
+        const Vec3& x = data_.parts.vertices[v].point;
+        const double d = (x - p_).norm();
+        if (d >= best_.distance) continue;
+        best_.point = x;
+        best_.distance = d;
+        best_.on = model_vertex(v);
+        set_face(face_of(f), f.triangle);
+      }
+  }
+
+  [[nodiscard]] bool has_real_edge(int v) const {
+    const auto& edges = data_.parts.vertices[v].edges;
+    return std::any_of(edges.begin(), edges.end(),
+                       [&](int e) { return data_.parts.edges[e].use == EdgeUse::kReal; });
   }
 
   void set_face(int face, std::uint32_t triangle) {

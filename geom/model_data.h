@@ -2,6 +2,8 @@
 // What a Model holds; for the .cpp files of geom/ only.
 #pragma once
 
+#include <vector>
+
 #include "geom/arc_length.h"
 #include "geom/border_sides.h"
 #include "geom/curve_samples.h"
@@ -47,5 +49,9 @@ struct Model::Data {
     return parts.faces[face].region[height > 0.0 ? 1 : 0];
   }
 };
+
+/// Model::intersect() without the questions of regions that settle the kind of events at vertices and where
+/// a face is grazed on an edge; for region_at() itself.
+void intersect_unsettled(const Model::Data& data, const Vec3& p, const Vec3& q, std::vector<Hit>& hits);
 
 }  // namespace octet

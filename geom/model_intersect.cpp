@@ -31,6 +31,7 @@ struct JointEvent {
   Vec2 uv = Vec2::Zero();
   Vec3 normal = Vec3::Zero();
   bool forth = false, back = false;  ///< some face is crossed along / against its normal
+  bool grazed = false;               ///< some face is crossed nearly along its tangent plane
 };
 
 struct Chord {
@@ -60,7 +61,8 @@ class SegmentQuery {
   SegmentQuery(const Model::Data& data, const Vec3& p, const Vec3& q)
       : data_(data), segment_{p, q - p, (q - p).norm()} {}
 
-  void run(std::vector<Hit>& hits) {
+  /// `doubtful` gets the indices of hits whose kind does not follow from the faces' normals.
+  void run(std::vector<Hit>& hits, std::vector<std::size_t>& doubtful) {
     if (!(segment_.length > 0.0)) return;
     data_.bvh.visit_segment(segment_.p, segment_.at(1.0), [&](std::uint32_t t) { triangles_.push_back(t); });
     if (triangles_.empty()) return;
@@ -75,11 +77,20 @@ class SegmentQuery {
       while (end < triangles_.size() && data_.facets().face[triangles_[end]] == face) ++end;
       meet_face(face, std::span(triangles_).subspan(begin, end - begin), hits);
     }
-    for (JointEvent& joint : joints_) hits.push_back(joint_hit(joint));
+    const std::size_t on_faces = hits.size();
+    for (JointEvent& joint : joints_)
+      if (joint.face != 0 || !stands_for_another(joint, std::span(hits).subspan(first, on_faces - first)))
+        hits.push_back(joint_hit(joint));
     std::sort(hits.begin() + static_cast<std::ptrdiff_t>(first), hits.end(), [](const Hit& a, const Hit& b) {
       if (a.t != b.t) return a.t < b.t;
       return a.on != b.on ? a.on < b.on : a.face < b.face;
     });
+    for (std::size_t i = first; i < hits.size(); ++i) {
+      const bool chance =
+          hits[i].kind == HitKind::kCoincident && hits[i].on.dim < 2 && !runs_in_face_beside(hits, first, i);
+      if (chance) hits[i].kind = HitKind::kTangent;
+      if (is_doubtful(hits[i])) doubtful.push_back(i);
+    }
   }
 
  private:
@@ -282,9 +293,33 @@ class SegmentQuery {
   }
 
   void note_direction(JointEvent& joint, const Vec3& normal) const {
+    constexpr double kGrazing = 1e-6;
     const double along = normal.dot(segment_.d);
     joint.forth |= along > 0.0;
     joint.back |= along < 0.0;
+    joint.grazed |= std::abs(along) <= kGrazing * segment_.length;
+  }
+
+  /// At a vertex, at an edge of more or less than two faces, or where a face is grazed.
+  [[nodiscard]] bool is_doubtful(const Hit& hit) const {
+    if (hit.on.dim == 2 || hit.kind == HitKind::kCoincident || hit.end_point) return false;
+    if (hit.on.dim == 0 || data_.parts.edges[hit.on.tag].faces.size() != 2) return true;
+    return std::any_of(joints_.begin(), joints_.end(),
+                       [&](const JointEvent& j) { return j.grazed && j.on == hit.on && j.t == hit.t; });
+  }
+
+  /// Whether an event that no face reported is a face's hit nearby, seen again within the tolerance.
+  [[nodiscard]] bool stands_for_another(const JointEvent& joint, std::span<const Hit> on_faces) const {
+    const double reach =
+        joint.on.dim == 0 ? data_.vertex_reach(joint.on.tag) : data_.edge_reach(joint.on.tag);
+    return std::any_of(on_faces.begin(), on_faces.end(), [&](const Hit& hit) {
+      const ModelFace& face = data_.parts.faces[hit.face];
+      const bool around = joint.on.dim == 0
+                              ? std::binary_search(face.vertices.begin(), face.vertices.end(), joint.on.tag)
+                              : std::any_of(face.boundary.begin(), face.boundary.end(),
+                                            [&](const FaceBoundary& b) { return b.edge == joint.on.tag; });
+      return around && (hit.point - joint.point).norm() <= 4.0 * reach;
+    });
   }
 
   /// Whether the segment runs within the surface of a face around the edge or vertex.
@@ -293,6 +328,21 @@ class SegmentQuery {
       const auto& around = on.dim == 1 ? data_.parts.edges[on.tag].faces : data_.parts.faces[face].vertices;
       return std::binary_search(around.begin(), around.end(), on.dim == 1 ? face : on.tag);
     });
+  }
+
+  /// Whether a face whose surface holds the segment reaches to the next or the last event: it may also touch
+  /// the segment's line in the event alone.
+  [[nodiscard]] bool runs_in_face_beside(const std::vector<Hit>& hits, std::size_t first,
+                                         std::size_t i) const {
+    const double last = i > first ? hits[i - 1].t : 0.0, next = i + 1 < hits.size() ? hits[i + 1].t : 1.0;
+    for (const double t : {0.5 * (last + hits[i].t), 0.5 * (hits[i].t + next)}) {
+      const Vec3 x = segment_.at(t);
+      for (const int face : coincident_) {
+        const SurfaceFoot foot = data_.surface(face).project(x, hits[i].uv);
+        if (data_.parts.trims[face]->side(foot.uv) != TrimSide::kOut) return true;
+      }
+    }
+    return false;
   }
 
   /// At an edge of two faces the segment crosses from region to region when it goes the same way through
@@ -357,8 +407,29 @@ class SegmentQuery {
   std::vector<int> coincident_;  ///< faces whose surface holds the segment
 };
 
+void intersect_unsettled(const Model::Data& data, const Vec3& p, const Vec3& q, std::vector<Hit>& hits) {
+  std::vector<std::size_t> doubtful;
+  SegmentQuery(data, p, q).run(hits, doubtful);
+}
+
+/// A doubtful event crosses when the regions before and behind it differ: asked half way to its neighbours,
+/// far from the boundary.
 void Model::intersect(const Vec3& p, const Vec3& q, std::vector<Hit>& hits) const {
-  SegmentQuery(*data_, p, q).run(hits);
+  const std::size_t first = hits.size();
+  std::vector<std::size_t> doubtful;
+  SegmentQuery(*data_, p, q).run(hits, doubtful);
+  const double least = 8.0 * data_->tolerance / std::max((q - p).norm(), data_->tolerance);
+  for (const std::size_t i : doubtful) {
+    const bool has_last = i > first, has_next = i + 1 < hits.size();
+    if ((has_last && hits[i - 1].kind == HitKind::kCoincident) ||
+        (has_next && hits[i + 1].kind == HitKind::kCoincident))
+      continue;
+    const double last = has_last ? hits[i - 1].t : 0.0, next = has_next ? hits[i + 1].t : 1.0;
+    if (hits[i].t - last <= least || next - hits[i].t <= least) continue;
+    const int before = region_at(p + 0.5 * (last + hits[i].t) * (q - p));
+    const int behind = region_at(p + 0.5 * (hits[i].t + next) * (q - p));
+    hits[i].kind = before == behind ? HitKind::kTangent : HitKind::kTransversal;
+  }
 }
 
 }  // namespace octet

@@ -102,9 +102,10 @@ int region_by_facets(const Model::Data& data, const Vec3& p, const FacetFoot& ne
 }
 
 /// The region before the first hit of a ray, when every hit of it is a clear crossing.
-std::optional<int> region_by_ray(const Model& model, const Vec3& p, const Vec3& direction) {
+std::optional<int> region_by_ray(const Model& model, const Model::Data& data, const Vec3& p,
+                                 const Vec3& direction) {
   std::vector<Hit> hits;
-  model.intersect(p, p + direction * (2.0 * model.diagonal() + (p - model.box().centre()).norm()), hits);
+  intersect_unsettled(data, p, p + direction * (2.0 * data.diagonal + (p - data.box.centre()).norm()), hits);
   if (hits.empty()) return 0;
   const Hit& first = hits.front();
   const double along = first.normal.dot(direction);
@@ -114,7 +115,7 @@ std::optional<int> region_by_ray(const Model& model, const Vec3& p, const Vec3& 
 }
 
 /// Majority of the clear rays of a fixed set of directions in general position.
-std::optional<int> region_by_rays(const Model& model, const Vec3& p) {
+std::optional<int> region_by_rays(const Model& model, const Model::Data& data, const Vec3& p) {
   static constexpr std::array<std::array<double, 3>, 7> kDirections{{{0.5773, 0.5257, 0.6247},
                                                                      {-0.6113, 0.3541, 0.7077},
                                                                      {0.2903, -0.8419, 0.4549},
@@ -125,7 +126,7 @@ std::optional<int> region_by_rays(const Model& model, const Vec3& p) {
   std::array<int, 7> answer{};
   int answers = 0;
   for (const auto& d : kDirections) {
-    const auto region = region_by_ray(model, p, Vec3(d[0], d[1], d[2]).normalized());
+    const auto region = region_by_ray(model, data, p, Vec3(d[0], d[1], d[2]).normalized());
     if (region) answer[answers++] = *region;
     const int agree =
         answers == 0 ? 0 : static_cast<int>(std::count(answer.begin(), answer.begin() + answers, answer[0]));
@@ -179,7 +180,7 @@ int region_by_foot(const Model& model, const Model::Data& data, const Vec3& p) {
   }
   if (region >= 0) return region;
   if (foot->distance > data.tolerance)
-    if (const auto vote = region_by_rays(model, p)) return *vote;
+    if (const auto vote = region_by_rays(model, data, p)) return *vote;
   return data.region_beside(foot->face, height);
 }
 

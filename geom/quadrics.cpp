@@ -19,7 +19,6 @@ double rounding(const Axes3& axes, const Vec3& p, const Vec3& q, double size) {
 /// f(t) = a t^2 + 2 b t + c.
 struct Quadratic {
   double a = 0.0, b = 0.0, c = 0.0;
-  [[nodiscard]] double operator()(double t) const { return (a * t + 2.0 * b) * t + c; }
 };
 
 struct QuadraticRoots {
@@ -53,11 +52,6 @@ QuadraticRoots solve(const About& about, double noise) {
   if (s != 0.0) roots.t[roots.count++] = origin + f.c / s;
   if (roots.count == 2 && roots.t[1] < roots.t[0]) std::swap(roots.t[0], roots.t[1]);
   return roots;
-}
-
-bool vanishes_on_segment(const Quadratic& about_middle, double noise) {
-  return std::abs(about_middle(-0.5)) <= noise && std::abs(about_middle(0.0)) <= noise &&
-         std::abs(about_middle(0.5)) <= noise;
 }
 
 class Plane final : public Surface {
@@ -115,8 +109,12 @@ class RoundSurface : public Surface {
                  std::vector<SurfaceRoot>& roots) const override {
     const Vec3 a = axes_.to_local(p), d = axes_.direction_to_local(q - p);
     const auto about = [&](double t) { return quadratic(a + t * d, d); };
-    const double noise = value_noise(rounding(axes_, p, q, radius_), a + 0.5 * d);
-    if (vanishes_on_segment(about(0.5), 4.0 * noise)) {
+    const double wrong = rounding(axes_, p, q, radius_);
+    const double noise = value_noise(wrong, a + 0.5 * d);
+    const auto vanishes = [&](double t) {
+      return std::abs(about(t).c) <= 4.0 * value_noise(wrong, a + t * d);
+    };
+    if (vanishes(0.5) && vanishes(0.0) && vanishes(1.0)) {
       roots.push_back({0.0, uv_of(a), false, true});
       roots.push_back({1.0, uv_of(a + d), false, true});
       return;

@@ -268,7 +268,9 @@ std::optional<Fit> fit_torus(const Samples& samples, const Vec3&) {
     if (e.value[0] > 1e-6 * e.value[2] || e.value[1] < 1e-8 * e.value[2]) continue;
     const auto circle = fit_circle(spine, mean, e.vector.col(0), samples.size);
     if (!circle) continue;
-    const double major = circle->radius, radius = std::abs(minor);
+    const double radius = std::abs(minor);
+    // The sheets of a spindle part with the root of the difference: rounding must not make one of a horn.
+    const double major = std::abs(circle->radius - radius) <= 1e-9 * radius ? radius : circle->radius;
     return Fit{frame(circle->centre, e.vector.col(0), samples.centre - circle->centre),
                [major, radius](const Axes3& axes, double u0, double v0) {
                  return make_torus(axes, major, radius, u0, v0);
@@ -293,33 +295,58 @@ bool agrees(const Samples& samples, const Surface& surface, double tolerance, st
   return true;
 }
 
-/// Makes angles follow their neighbours in the grid. At a pole u is that of a neighbour, first in the same
-/// row, so that along the pole it runs as it does beside it.
-void unwrap(const Samples& samples, const Fit& fit, const Surface& surface, std::vector<Vec2>& uv) {
-  const std::size_t nu = samples.u.size(), nv = samples.v.size();
-  const auto singular = [&](std::size_t i) {
-    return fit.turns_u && surface.evaluate(uv[i], 1).du.norm() <= kSingular * samples.size;
-  };
-  const auto follow = [&](std::size_t i, std::size_t from) {
-    if (fit.turns_u) uv[i].x() = nearest_turn(uv[i].x(), uv[from].x());
-    if (fit.turns_v) uv[i].y() = nearest_turn(uv[i].y(), uv[from].y());
-  };
-  // From the middle, where no pole is, along v, then along u.
-  const std::size_t mu = nu / 2, mv = nv / 2;
-  for (std::size_t b = mv + 1; b < nv; ++b) follow(mu * nv + b, mu * nv + b - 1);
-  for (std::size_t b = mv; b-- > 0;) follow(mu * nv + b, mu * nv + b + 1);
-  for (std::size_t b = 0; b < nv; ++b) {
-    for (std::size_t a = mu + 1; a < nu; ++a) follow(a * nv + b, (a - 1) * nv + b);
-    for (std::size_t a = mu; a-- > 0;) follow(a * nv + b, (a + 1) * nv + b);
+/// Makes angles follow their neighbours in the grid. At a pole u has no value of its own: it is taken from a
+/// neighbour, first in the same row, so that along the pole it runs as it does beside it.
+class Unwrapper {
+ public:
+  Unwrapper(const Samples& samples, const Fit& fit, const Surface& surface, std::vector<Vec2>& uv)
+      : fit_(fit), nu_(samples.u.size()), nv_(samples.v.size()), uv_(uv) {
+    for (const Vec2& x : uv)
+      singular_.push_back(fit.turns_u && surface.evaluate(x, 1).du.norm() <= kSingular * samples.size);
   }
-  for (std::size_t a = 0; a < nu; ++a)
-    for (std::size_t b = 0; b < nv; ++b) {
-      const std::size_t i = a * nv + b;
-      if (!singular(i)) continue;
-      const std::size_t inner_v = b == 0 ? i + 1 : i - 1, inner_u = a == 0 ? i + nv : i - nv;
-      uv[i].x() = uv[singular(inner_v) ? inner_u : inner_v].x();
-    }
-}
+
+  void run() {
+    // From a column near the middle, along u in each row.
+    const std::size_t middle = nu_ / 2;
+    follow_line(middle * nv_, 1, nv_, first_regular(middle * nv_, 1, nv_));
+    for (std::size_t b = 0; b < nv_; ++b) follow_line(b, nv_, nu_, middle);
+    for (std::size_t i = 0; i < uv_.size(); ++i)
+      if (singular_[i]) borrow(i);
+  }
+
+ private:
+  [[nodiscard]] std::size_t first_regular(std::size_t begin, std::size_t step, std::size_t count) const {
+    for (std::size_t k = 0; k < count; ++k)
+      if (!singular_[begin + k * step]) return k;
+    return 0;
+  }
+
+  void follow(std::size_t i, std::size_t& from) {
+    if (fit_.turns_v) uv_[i].y() = nearest_turn(uv_[i].y(), uv_[from].y());
+    if (singular_[i]) return;
+    if (fit_.turns_u) uv_[i].x() = nearest_turn(uv_[i].x(), uv_[from].x());
+    from = i;
+  }
+
+  /// Outwards from item `start` of a row or column.
+  void follow_line(std::size_t begin, std::size_t step, std::size_t count, std::size_t start) {
+    std::size_t from = begin + start * step;
+    for (std::size_t k = start + 1; k < count; ++k) follow(begin + k * step, from);
+    from = begin + start * step;
+    for (std::size_t k = start; k-- > 0;) follow(begin + k * step, from);
+  }
+
+  void borrow(std::size_t i) {
+    const std::size_t a = i / nv_, b = i % nv_;
+    const std::size_t beside_v = b == 0 ? i + 1 : i - 1, beside_u = a == 0 ? i + nv_ : i - nv_;
+    uv_[i].x() = uv_[singular_[beside_v] ? beside_u : beside_v].x();
+  }
+
+  const Fit& fit_;
+  std::size_t nu_, nv_;
+  std::vector<Vec2>& uv_;
+  std::vector<bool> singular_;
+};
 
 /// Start of a period with [lo, hi] in its middle.
 double period_start(double lo, double hi) { return lo - 0.5 * std::max(0.0, kTwoPi - (hi - lo)); }
@@ -336,7 +363,7 @@ std::unique_ptr<const CanonicalForm> accept(const Samples& samples, Fit fit, dou
     surface = fit.make(fit.axes, 0.0, 0.0);
     if (!agrees(samples, *surface, tolerance, uv)) return nullptr;
   }
-  unwrap(samples, fit, *surface, uv);
+  Unwrapper(samples, fit, *surface, uv).run();
   Vec2 lo = uv.front(), hi = uv.front();
   for (const Vec2& x : uv) {
     lo = lo.cwiseMin(x);
@@ -378,12 +405,13 @@ std::unique_ptr<const CanonicalForm> recognise(const std::function<SurfaceJet(co
                                                double tolerance) {
   const auto samples = take(evaluate, u, v);
   if (!samples || !(samples->size > 0.0)) return nullptr;
-  const Sample& middle = samples->all[samples->all.size() / 2];
-  if (!middle.regular) return nullptr;
+  const auto regular =
+      std::find_if(samples->all.begin(), samples->all.end(), [](const Sample& s) { return s.regular; });
+  if (regular == samples->all.end()) return nullptr;
   using Fitter = std::optional<Fit> (*)(const Samples&, const Vec3&);
   for (const Fitter fitter :
        {Fitter(fit_plane), Fitter(fit_cylinder), Fitter(fit_cone), Fitter(fit_sphere), Fitter(fit_torus)})
-    if (auto fit = fitter(*samples, middle.jet.du))
+    if (auto fit = fitter(*samples, regular->jet.du))
       if (auto form = accept(*samples, std::move(*fit), tolerance)) return form;
   return nullptr;
 }

@@ -143,8 +143,11 @@ class Torus final : public Surface {
                          : wrap_angle_near(std::atan2(side * l.y(), side * l.x()), u0_, seed.x());
     const double across = side * rho - major_;
     const bool on_spine = std::hypot(across, l.z()) <= kEps * major_;
-    const double v = on_spine ? seed.y() : wrap_angle_near(std::atan2(l.z(), across), v0_, seed.y());
-    const Vec2 uv(u, v);
+    double turn = std::atan2(l.z(), across);
+    // A foot that would pass the point where the sheets meet stays there.
+    if (minor_ > major_ && side * (major_ + minor_ * std::cos(turn)) < 0.0)
+      turn = std::copysign(std::acos(-major_ / minor_), turn);
+    const Vec2 uv(u, on_spine ? seed.y() : wrap_angle_near(turn, v0_, seed.y()));
     return {uv, evaluate(uv, 0).p, true};
   }
 

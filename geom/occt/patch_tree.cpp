@@ -44,6 +44,11 @@ struct PatchTree::Segment {
   double length, tolerance;
 };
 
+struct PatchTree::Found {
+  SurfaceRoot root;
+  UvCell cell;  ///< where it was found
+};
+
 PatchTree::PatchTree(Evaluate evaluate, const std::vector<double>& u_breaks,
                      const std::vector<double>& v_breaks)
     : evaluate_(std::move(evaluate)) {
@@ -56,7 +61,7 @@ PatchTree::PatchTree(Evaluate evaluate, const std::vector<double>& u_breaks,
   nodes_.reserve(2 * leaves_.size());
   build(order, 0, order.size());
   const Box3& all = box();
-  tolerance_ = 1e-13 * (all.diagonal() + all.lo.cwiseAbs().cwiseMax(all.hi.cwiseAbs()).maxCoeff());
+  tolerance_ = 1e-13 * all.diagonal() + 2e-15 * all.lo.cwiseAbs().cwiseMax(all.hi.cwiseAbs()).maxCoeff();
 }
 
 PatchTree::Patch PatchTree::measured(const UvCell& cell) const {
@@ -117,7 +122,7 @@ void PatchTree::intersect(const Vec3& p, const Vec3& q, std::vector<SurfaceRoot>
   Segment segment{p, q - p, (q - p).norm(), tolerance_};
   segment.tolerance += 1e-15 * (p.cwiseAbs().maxCoeff() + q.cwiseAbs().maxCoeff());
   if (segment.length == 0.0) return;
-  std::vector<SurfaceRoot> found;
+  std::vector<Found> found;
   std::array<std::int32_t, 128> stack;
   std::size_t top = 0;
   stack[top++] = 0;
@@ -131,10 +136,15 @@ void PatchTree::intersect(const Vec3& p, const Vec3& q, std::vector<SurfaceRoot>
     stack[top++] = node.left;
     stack[top++] = node.right;
   }
-  std::stable_sort(found.begin(), found.end(),
-                   [](const SurfaceRoot& a, const SurfaceRoot& b) { return a.t < b.t; });
-  const std::size_t first = roots.size();
-  for (const SurfaceRoot& root : found) add(segment, root, roots, first);
+  // Touches first: they absorb what is found of them elsewhere.
+  std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) {
+    return a.root.tangent != b.root.tangent ? a.root.tangent : a.root.t < b.root.t;
+  });
+  std::vector<Crossing> crossings;
+  for (const Found& f : found) add(segment, f, crossings);
+  std::stable_sort(crossings.begin(), crossings.end(),
+                   [](const Crossing& a, const Crossing& b) { return a.root.t < b.root.t; });
+  for (const Crossing& c : crossings) roots.push_back(c.root);
 }
 
 Vec2 PatchTree::near(const Vec3& p) const {
@@ -149,10 +159,10 @@ Vec2 PatchTree::near(const Vec3& p) const {
   return best->cell.centre();
 }
 
-void PatchTree::solve(const Segment& segment, const Patch& leaf, std::vector<SurfaceRoot>& roots) const {
+void PatchTree::solve(const Segment& segment, const Patch& leaf, std::vector<Found>& roots) const {
   if (is_unique(segment, leaf, leaf.cell)) {
     SurfaceRoot root;
-    if (newton(segment, leaf.cell, root)) roots.push_back(root);
+    if (newton(segment, leaf.cell, root)) roots.push_back({root, leaf.cell});
     return;
   }
   if (coincide(segment, leaf, roots)) return;
@@ -161,7 +171,7 @@ void PatchTree::solve(const Segment& segment, const Patch& leaf, std::vector<Sur
 }
 
 void PatchTree::solve_cell(const Segment& segment, const Patch& leaf, const UvCell& cell, int depth,
-                           int& budget, std::vector<SurfaceRoot>& roots) const {
+                           int& budget, std::vector<Found>& roots) const {
   if (--budget < 0) return;
   Box3 box;
   for (const double u : {cell.lo.x(), cell.hi.x()})
@@ -172,13 +182,13 @@ void PatchTree::solve_cell(const Segment& segment, const Patch& leaf, const UvCe
   if (!clip(segment.p, segment.d, box.grown(bend_u + bend_v + segment.tolerance))) return;
   SurfaceRoot root;
   if (is_unique(segment, leaf, cell)) {
-    if (newton(segment, cell, root)) roots.push_back(root);
+    if (newton(segment, cell, root)) roots.push_back({root, cell});
     return;
   }
   // A patch that bends less than rounding holds nothing that a further bisection could tell apart.
   if (depth >= kMaxBisections ||
       (bend_u + bend_v <= 0.25 * segment.tolerance && size <= 1e-3 * leaf.box.diagonal())) {
-    if (touch(segment, cell, root)) roots.push_back(root);
+    if (touch(segment, cell, root)) roots.push_back({root, cell});
     return;
   }
   const SurfaceJet jet = evaluate_(cell.centre(), 1);
@@ -258,7 +268,7 @@ bool PatchTree::touch(const Segment& segment, const UvCell& cell, SurfaceRoot& r
 
 /// Whether the segment runs in the surface across the leaf: its clipped ends and points between are all on
 /// it.
-bool PatchTree::coincide(const Segment& segment, const Patch& leaf, std::vector<SurfaceRoot>& roots) const {
+bool PatchTree::coincide(const Segment& segment, const Patch& leaf, std::vector<Found>& roots) const {
   const auto part = clip(segment.p, segment.d, leaf.box);
   if (!part || (part->second - part->first) * segment.length < 0.1 * leaf.box.diagonal()) return false;
   std::array<SurfaceRoot, 5> at;
@@ -278,33 +288,40 @@ bool PatchTree::coincide(const Segment& segment, const Patch& leaf, std::vector<
     if ((evaluate_(uv, 0).p - goal).norm() > 16.0 * segment.tolerance) return false;
     at[i] = {t, uv, false, true};
   }
-  roots.push_back(at.front());
-  roots.push_back(at.back());
+  roots.push_back({at.front(), leaf.cell});
+  roots.push_back({at.back(), leaf.cell});
   return true;
 }
 
-void PatchTree::add(const Segment& segment, const SurfaceRoot& root, std::vector<SurfaceRoot>& roots,
-                    std::size_t first) const {
-  const SurfaceJet jet = evaluate_(root.uv, 1);
-  const double way = cross_of(jet).dot(segment.d);
-  for (std::size_t i = roots.size(); i-- > first;) {
-    SurfaceRoot& other = roots[i];
-    if (other.coincident != root.coincident) continue;
-    const SurfaceJet jet_there = evaluate_(other.uv, 1);
-    // Where the segment grazes, rounding across it moves the root along it.
-    const double sine = std::abs(way) / std::max(cross_of(jet).norm() * segment.length, 1e-300);
-    const double near =
-        64.0 * segment.tolerance / std::max(sine, root.tangent || other.tangent ? 1e-7 : 1e-5);
-    if ((root.t - other.t) * segment.length > near) continue;
-    if ((jet.p - jet_there.p).norm() > 2.0 * near) continue;
-    const double way_there = cross_of(jet_there).dot(segment.d);
-    const bool same_way =
-        way * way_there > 0.0 || root.tangent || other.tangent || way == 0.0 || way_there == 0.0;
-    if (!same_way) continue;
-    other.tangent = other.tangent || root.tangent;
+/// How the segment crosses there, seen from within the cell: at a crease each side has its own normal.
+PatchTree::Crossing PatchTree::crossing_of(const Segment& segment, const Found& found) const {
+  constexpr double kInwards = 1e-6;
+  const Vec2 uv = found.root.uv + kInwards * (found.cell.centre() - found.root.uv);
+  const Vec3 n = cross_of(evaluate_(uv, 1));
+  const double size = n.norm() * segment.length;
+  return {found.root, evaluate_(found.root.uv, 0).p, size > 0.0 ? n.dot(segment.d) / size : 0.0};
+}
+
+void PatchTree::add(const Segment& segment, const Found& found, std::vector<Crossing>& crossings) const {
+  const Crossing here = crossing_of(segment, found);
+  for (std::size_t i = crossings.size(); i-- > 0;) {
+    Crossing& other = crossings[i];
+    if (other.root.coincident != here.root.coincident) continue;
+    const double apart = std::abs(here.root.t - other.root.t) * segment.length;
+    const bool tangent = here.root.tangent || other.root.tangent;
+    // Where the segment grazes, rounding across it moves the root along it; twice as far to both sides.
+    const double sine = std::abs(here.sine);
+    const double near = tangent ? 256.0 * segment.tolerance / std::max(sine, 1e-7)
+                                : 64.0 * segment.tolerance / std::max(sine, 1e-5);
+    if (apart > near || (here.point - other.point).norm() > 2.0 * near) continue;
+    const bool same_way = tangent || here.sine * other.sine >= 0.0;
+    // In by one side of a crease and out by the other within rounding: a touch.
+    const bool touches_crease = !same_way && apart <= 16.0 * segment.tolerance;
+    if (!same_way && !touches_crease) continue;
+    other.root.tangent = tangent || touches_crease;
     return;
   }
-  roots.push_back(root);
+  crossings.push_back(here);
 }
 
 }  // namespace octet

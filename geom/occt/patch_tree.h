@@ -52,19 +52,25 @@ class PatchTree {
     std::int32_t left = -1, right = -1;  ///< children; a leaf has left = -1 and its patch in right
   };
   struct Segment;
+  struct Found;
+  struct Crossing {
+    SurfaceRoot root;
+    Vec3 point;   ///< on the surface
+    double sine;  ///< of the segment's angle with the surface, positive along du x dv
+  };
 
   void refine(const UvCell& cell, int depth);
   [[nodiscard]] Patch measured(const UvCell& cell) const;
   std::int32_t build(std::vector<std::int32_t>& order, std::size_t begin, std::size_t end);
-  void solve(const Segment& segment, const Patch& leaf, std::vector<SurfaceRoot>& roots) const;
+  void solve(const Segment& segment, const Patch& leaf, std::vector<Found>& roots) const;
   void solve_cell(const Segment& segment, const Patch& leaf, const UvCell& cell, int depth, int& budget,
-                  std::vector<SurfaceRoot>& roots) const;
+                  std::vector<Found>& roots) const;
   [[nodiscard]] bool is_unique(const Segment& segment, const Patch& leaf, const UvCell& cell) const;
   bool newton(const Segment& segment, const UvCell& cell, SurfaceRoot& root) const;
   bool touch(const Segment& segment, const UvCell& cell, SurfaceRoot& root) const;
-  bool coincide(const Segment& segment, const Patch& leaf, std::vector<SurfaceRoot>& roots) const;
-  void add(const Segment& segment, const SurfaceRoot& root, std::vector<SurfaceRoot>& roots,
-           std::size_t first) const;
+  bool coincide(const Segment& segment, const Patch& leaf, std::vector<Found>& roots) const;
+  [[nodiscard]] Crossing crossing_of(const Segment& segment, const Found& found) const;
+  void add(const Segment& segment, const Found& found, std::vector<Crossing>& crossings) const;
 
   Evaluate evaluate_;
   UvCell range_;
