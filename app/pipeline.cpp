@@ -12,6 +12,7 @@
 #include "app/attempt.h"
 #include "app/mesh_part.h"
 #include "app/stage_clock.h"
+#include "base/blocks.h"
 #include "classify/extract.h"
 #include "finalize/finalize.h"
 #include "geom/sizing.h"
@@ -230,9 +231,15 @@ class Run {
     report.nodes = mesh.points.size();
     report.tets = mesh.tets.size();
     report.triangles = mesh.triangles.size();
-    for (const auto& t : mesh.tets)
-      report.volume +=
-          signed_volume(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]], mesh.points[t[3]]);
+    for (const double volume : map_blocks<double>(mesh.tets.size(), 16384, [&](auto first, auto last) {
+           double sum = 0.0;
+           for (std::size_t i = first; i < last; ++i) {
+             const auto& t = mesh.tets[i];
+             sum += signed_volume(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]], mesh.points[t[3]]);
+           }
+           return sum;
+         }))
+      report.volume += volume;
     for (const auto& t : mesh.triangles)
       report.area +=
           0.5 * (mesh.points[t[1]] - mesh.points[t[0]]).cross(mesh.points[t[2]] - mesh.points[t[0]]).norm();

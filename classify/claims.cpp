@@ -8,7 +8,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "classify/blocks.h"
+#include "base/blocks.h"
 
 namespace octet {
 namespace {

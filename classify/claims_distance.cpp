@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "classify/blocks.h"
+#include "base/blocks.h"
 #include "classify/claims.h"
 #include "geom/facet_bvh.h"
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <compare>
 
-#include "classify/blocks.h"
+#include "base/blocks.h"
 #include "classify/claims.h"
 #include "classify/triangle_crossing.h"
 #include "geom/facet_bvh.h"

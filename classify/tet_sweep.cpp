@@ -4,8 +4,8 @@
 
 #include <limits>
 
+#include "base/blocks.h"
 #include "base/predicates.h"
-#include "classify/blocks.h"
 #include "mesh/quality.h"
 #include "mesh/sort_triple.h"
 #include "mesh/tet_mesh.h"

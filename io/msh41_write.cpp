@@ -2,41 +2,78 @@
 // MSH 4.1: one walk over the sections, with a sink that prints or copies each number.
 #include <fmt/format.h>
 
+#include <iterator>
+
 #include "io/msh_entities.h"
 #include "io/msh_write.h"
 
 namespace octet {
 namespace {
 
-/// Numbers as text separated by blanks, or as the machine's bytes.
+/// Rows a task.
+constexpr std::size_t kBlock = 8192;
+
+/// Numbers as text separated by blanks, or as the machine's bytes, appended to `out`.
+class Row {
+ public:
+  Row(std::string& out, bool binary) : out_(out), binary_(binary) {}
+  void integer(int value) { put(&value, 1); }
+  void size(std::uint64_t value) { put(&value, 1); }
+  void sizes(const std::uint64_t* values, int n) { put(values, n); }
+  void reals(const Vec3& values) { put(values.data(), 3); }
+  void end_line() {
+    if (!binary_) out_.push_back('\n');
+    begun_ = false;
+  }
+
+ private:
+  template <class T>
+  void put(const T* values, int n) {
+    if (binary_) {
+      out_.append(reinterpret_cast<const char*>(values), static_cast<std::size_t>(n) * sizeof(T));
+      return;
+    }
+    for (int i = 0; i < n; ++i) {
+      if (begun_) out_.push_back(' ');
+      fmt::format_to(std::back_inserter(out_), "{}", values[i]);
+      begun_ = true;
+    }
+  }
+  std::string& out_;
+  bool binary_;
+  bool begun_ = false;
+};
+
+/// The sections of the file.
 class Sink {
  public:
   Sink(OutputFile& file, Encoding encoding) : file_(file), binary_(encoding == Encoding::kBinary) {}
-  void integer(int value) { put(value); }
-  void size(std::uint64_t value) { put(value); }
-  void real(double value) { put(value); }
-  void end_line() {
-    if (binary_) return;
-    line_.push_back('\n');
-    file_.write({line_.data(), line_.size()});
-    line_.clear();
+  /// One line that fill(row) makes.
+  template <class Fill>
+  void line(const Fill& fill) {
+    std::string bytes;
+    Row row(bytes, binary_);
+    fill(row);
+    row.end_line();
+    file_.write(bytes);
+  }
+  /// n lines; fill(row, i) makes the i-th, in parallel.
+  template <class Fill>
+  void lines(std::size_t n, const Fill& fill) {
+    file_.write_blocks(n, kBlock, [&](std::size_t first, std::size_t last, std::string& bytes) {
+      Row row(bytes, binary_);
+      for (std::size_t i = first; i < last; ++i) {
+        fill(row, i);
+        row.end_line();
+      }
+    });
   }
   void begin(const char* section) { file_.write(fmt::format("${}\n", section)); }
   void end(const char* section) { file_.write(fmt::format("{}$End{}\n", binary_ ? "\n" : "", section)); }
 
  private:
-  template <class T>
-  void put(T value) {
-    if (binary_) {
-      file_.put(value);
-      return;
-    }
-    if (line_.size() > 0) line_.push_back(' ');
-    fmt::format_to(fmt::appender(line_), "{}", value);
-  }
   OutputFile& file_;
   bool binary_;
-  fmt::memory_buffer line_;
 };
 
 void write_header(OutputFile& file, Encoding encoding) {
@@ -49,53 +86,54 @@ void write_header(OutputFile& file, Encoding encoding) {
   file.write("$EndMeshFormat\n");
 }
 
-void write_entity(Sink& sink, int dim, const OutlineEntity& entity, bool in_group, double scale) {
-  sink.integer(entity.tag);
-  for (int i = 0; i < 3; ++i) sink.real(entity.box.lo[i] * scale);
-  if (dim > 0)
-    for (int i = 0; i < 3; ++i) sink.real(entity.box.hi[i] * scale);
-  sink.size(in_group ? 1 : 0);
-  if (in_group) sink.integer(entity.tag);
+void write_entity(Row& row, int dim, const OutlineEntity& entity, bool in_group, double scale) {
+  row.integer(entity.tag);
+  row.reals(entity.box.lo * scale);
+  if (dim > 0) row.reals(entity.box.hi * scale);
+  row.size(in_group ? 1 : 0);
+  if (in_group) row.integer(entity.tag);
   if (dim > 0) {
-    sink.size(entity.bounded_by.size());
-    for (const int tag : entity.bounded_by) sink.integer(tag);
+    row.size(entity.bounded_by.size());
+    for (const int tag : entity.bounded_by) row.integer(tag);
   }
-  sink.end_line();
 }
 
 void write_entities(Sink& sink, const ModelOutline& outline, const std::map<ModelRef, std::string>& names,
                     double scale) {
   sink.begin("Entities");
-  for (const auto& entities : outline.entities) sink.size(entities.size());
-  sink.end_line();
+  sink.line([&](Row& row) {
+    for (const auto& entities : outline.entities) row.size(entities.size());
+  });
   for (int dim = 0; dim < 4; ++dim)
     for (const auto& entity : outline.entities[dim])
-      write_entity(sink, dim, entity, names.contains({dim, entity.tag}), scale);
+      sink.line([&](Row& row) { write_entity(row, dim, entity, names.contains({dim, entity.tag}), scale); });
   sink.end("Entities");
+}
+
+/// Blocks, items, and the least and largest tag.
+void write_counts(Sink& sink, std::size_t blocks, std::uint64_t items) {
+  const std::uint64_t counts[4] = {blocks, items, items == 0 ? 0u : 1u, items};
+  sink.line([&](Row& row) { row.sizes(counts, 4); });
+}
+
+void write_block_head(Sink& sink, ModelRef ref, int kind, std::size_t items) {
+  sink.line([&](Row& row) {
+    row.integer(ref.dim);
+    row.integer(ref.tag);
+    row.integer(kind);
+    row.size(items);
+  });
 }
 
 void write_nodes(Sink& sink, const Mesh& mesh, double scale) {
   const ItemsOn blocks = group_nodes(mesh);
   sink.begin("Nodes");
-  sink.size(blocks.size());
-  sink.size(mesh.points.size());
-  sink.size(mesh.points.empty() ? 0 : 1);
-  sink.size(mesh.points.size());
-  sink.end_line();
+  write_counts(sink, blocks.size(), mesh.points.size());
   for (const auto& [ref, nodes] : blocks) {
-    sink.integer(ref.dim);
-    sink.integer(ref.tag);
-    sink.integer(0);  // no parameters on the entity
-    sink.size(nodes.size());
-    sink.end_line();
-    for (const std::uint32_t v : nodes) {
-      sink.size(std::uint64_t{v} + 1);
-      sink.end_line();
-    }
-    for (const std::uint32_t v : nodes) {
-      for (int i = 0; i < 3; ++i) sink.real(mesh.points[v][i] * scale);
-      sink.end_line();
-    }
+    write_block_head(sink, ref, 0, nodes.size());  // 0: no parameters on the entity
+    const auto& items = nodes;
+    sink.lines(items.size(), [&](Row& row, std::size_t i) { row.size(std::uint64_t{items[i]} + 1); });
+    sink.lines(items.size(), [&](Row& row, std::size_t i) { row.reals(mesh.points[items[i]] * scale); });
   }
   sink.end("Nodes");
 }
@@ -103,24 +141,15 @@ void write_nodes(Sink& sink, const Mesh& mesh, double scale) {
 void write_elements(Sink& sink, const Mesh& mesh) {
   const ElementGroups groups = group_elements(mesh);
   sink.begin("Elements");
-  sink.size(groups.items.size());
-  sink.size(groups.total);
-  sink.size(groups.total == 0 ? 0 : 1);
-  sink.size(groups.total);
-  sink.end_line();
-  for (const auto& [ref, items] : groups.items) {
-    sink.integer(ref.dim);
-    sink.integer(ref.tag);
-    sink.integer(kMshType[ref.dim]);
-    sink.size(items.size());
-    sink.end_line();
-    for (const std::uint32_t i : items) {
-      std::uint64_t nodes[4];
-      const int n = element_nodes(mesh, groups, ref.dim, i, nodes);
-      sink.size(groups.first_tag[ref.dim] + i);
-      for (int k = 0; k < n; ++k) sink.size(nodes[k]);
-      sink.end_line();
-    }
+  write_counts(sink, groups.items.size(), groups.total);
+  for (const auto& group : groups.items) {
+    const ModelRef ref = group.first;
+    const auto& items = group.second;
+    write_block_head(sink, ref, kMshType[ref.dim], items.size());
+    sink.lines(items.size(), [&](Row& row, std::size_t i) {
+      std::uint64_t record[5] = {groups.first_tag[ref.dim] + items[i]};
+      row.sizes(record, 1 + element_nodes(mesh, groups, ref.dim, items[i], record + 1));
+    });
   }
   sink.end("Elements");
 }

@@ -61,6 +61,21 @@ std::map<ModelRef, Box3> mesh_boxes(const Mesh& mesh) {
   return boxes;
 }
 
+/// All entities that the mesh names.
+std::set<ModelRef> entities_of(const Mesh& mesh) {
+  std::set<ModelRef> entities;
+  ModelRef last;
+  const auto add = [&](ModelRef ref) {
+    if (ref != last) entities.insert(ref);
+    last = ref;
+  };
+  for (std::uint32_t v = 0; v < mesh.points.size(); ++v) add(node_entity(mesh, v));
+  for (const std::int32_t tag : mesh.edge_on) add(model_edge(tag));
+  for (const std::int32_t tag : mesh.triangle_on) add(model_face(tag));
+  for (const std::int32_t tag : mesh.tet_in) add(model_region(tag));
+  return entities;
+}
+
 OutlineEntity& entity_in(std::vector<OutlineEntity>& entities, int tag) {
   const auto at = std::lower_bound(entities.begin(), entities.end(), tag,
                                    [](const OutlineEntity& e, int t) { return e.tag < t; });
@@ -162,10 +177,13 @@ ModelOutline complete_outline(const ModelOutline& outline, const Mesh& mesh) {
   ModelOutline whole = outline;
   for (auto& entities : whole.entities)
     std::sort(entities.begin(), entities.end(), [](const auto& a, const auto& b) { return a.tag < b.tag; });
-  for (const auto& [ref, box] : mesh_boxes(mesh)) {
-    OutlineEntity& e = entity_in(whole.entities[ref.dim], ref.tag);
-    if (e.box.empty()) e.box = box;
-  }
+  std::set<ModelRef> without_box = entities_of(mesh);
+  for (int dim = 0; dim < 4; ++dim)
+    for (const OutlineEntity& e : whole.entities[dim])
+      if (!e.box.empty()) without_box.erase({dim, e.tag});
+  if (!without_box.empty())
+    for (const auto& [ref, box] : mesh_boxes(mesh))
+      if (without_box.contains(ref)) entity_in(whole.entities[ref.dim], ref.tag).box = box;
   for (int dim = 0; dim < 4; ++dim)
     for (auto& e : whole.entities[dim]) {
       if (e.box.empty()) e.box = {Vec3::Zero(), Vec3::Zero()};

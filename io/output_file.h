@@ -2,6 +2,9 @@
 // A file that appears under its name only when it is whole.
 #pragma once
 
+#include <oneapi/tbb/parallel_pipeline.h>
+
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstdio>
@@ -28,6 +31,10 @@ class OutputFile {
   void put(const T& value) {
     write(&value, sizeof value);
   }
+  /// Writes what fill(first, last, bytes) appends for blocks of `block` items of [0, n), in their order; the
+  /// filling runs in parallel.
+  template <class Fill>
+  void write_blocks(std::size_t n, std::size_t block, const Fill& fill);
   /// Flushes, closes and renames. Nothing may be written afterwards.
   void commit();
 
@@ -42,5 +49,28 @@ class OutputFile {
   std::FILE* file_ = nullptr;
   std::string buffer_;
 };
+
+template <class Fill>
+void OutputFile::write_blocks(std::size_t n, std::size_t block, const Fill& fill) {
+  constexpr std::size_t kInFlight = 16;  // bounds the memory, and is the same for any number of threads
+  std::size_t next = 0;
+  tbb::parallel_pipeline(
+      kInFlight, tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order,
+                                                     [&](tbb::flow_control& flow) {
+                                                       if (next >= n) flow.stop();
+                                                       const std::size_t first = next;
+                                                       next += block;
+                                                       return first;
+                                                     }) &
+                     tbb::make_filter<std::size_t, std::string>(tbb::filter_mode::parallel,
+                                                                [&](std::size_t first) {
+                                                                  std::string bytes;
+                                                                  fill(first, std::min(n, first + block),
+                                                                       bytes);
+                                                                  return bytes;
+                                                                }) &
+                     tbb::make_filter<std::string, void>(tbb::filter_mode::serial_in_order,
+                                                         [&](const std::string& bytes) { write(bytes); }));
+}
 
 }  // namespace octet
