@@ -2,11 +2,15 @@
 // Keeps the boundary of the mesh by the exact geometry while it is changed.
 #include "finalize/boundary_guard.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <string_view>
 
 #include "mesh/quality.h"
+#include "mesh/tet_mesh.h"
 
 namespace octet {
 namespace {
@@ -35,6 +39,7 @@ BoundaryGuard::BoundaryGuard(const Model& model, const WorkMesh& mesh, std::span
       plane_normal_(planar_.size(), Vec3::Zero()),
       on_face_(mesh.points.size()),
       on_face_known_(mesh.points.size(), 0),
+      parameter_(mesh.points.size(), 0.0),
       volume_(static_cast<std::size_t>(model.count(3)) + 1, 0.0),
       exact_volume_(volume_.size(), 0.0),
       allowed_(volume_.size(), 0.0) {
@@ -54,23 +59,45 @@ BoundaryGuard::BoundaryGuard(const Model& model, const WorkMesh& mesh, std::span
     exact_volume_[r] = model.region(static_cast<int>(r)).volume;
     allowed_[r] = kVolumeBound * std::abs(exact_volume_[r]);
   }
+  seat_all(mesh);
 }
 
-const Seat& BoundaryGuard::seat(const WorkMesh& mesh, VertexId v, int face) {
-  const bool inside = mesh.on[v].dim == 2;
-  if (inside && v.index() < on_face_known_.size() && on_face_known_[v.index()]) return on_face_[v.index()];
-  if (!inside) {
-    if (const auto it = on_rim_.find(rim_key(v, face)); it != on_rim_.end()) return it->second;
+Seat BoundaryGuard::project(const WorkMesh& mesh, VertexId v, int face) const {
+  const FaceFoot foot = model_->face_project(face, mesh.points[v]);
+  return {foot.uv, foot.normal};
+}
+
+void BoundaryGuard::seat_all(const WorkMesh& mesh) {
+  std::vector<std::pair<VertexId, int>> wanted;  // on curved faces
+  for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
+    const TetId t(i);
+    if (!mesh.alive(t)) continue;
+    for (int f = 0; f < 4; ++f) {
+      const int face = std::abs(mesh.face_on[t][f]);
+      if (face == 0 || planar(face)) continue;
+      for (const int c : kTetFace[f]) wanted.emplace_back(mesh.tets[t][c], face);
+    }
   }
-  Seat seat;
-  if (planar(face)) {
-    seat.normal = plane_normal_[static_cast<std::size_t>(face)];
-  } else {
-    const FaceFoot foot = model_->face_project(face, mesh.points[v]);
-    seat = {foot.uv, foot.normal};
+  std::sort(wanted.begin(), wanted.end());
+  wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
+  std::vector<Seat> seats(wanted.size());
+  tbb::parallel_for(std::size_t{0}, wanted.size(),
+                    [&](std::size_t i) { seats[i] = project(mesh, wanted[i].first, wanted[i].second); });
+  for (std::size_t i = 0; i < wanted.size(); ++i) set_seat(mesh, wanted[i].first, wanted[i].second, seats[i]);
+  tbb::parallel_for(std::size_t{0}, mesh.points.size(), [&](std::size_t i) {
+    const VertexId v(i);
+    if (mesh.on[v].dim == 1) parameter_[i] = model_->edge_closest(mesh.on[v].tag, mesh.points[v]).t;
+  });
+}
+
+Seat BoundaryGuard::seat(const WorkMesh& mesh, VertexId v, int face) const {
+  if (planar(face)) return {Vec2::Zero(), plane_normal_[static_cast<std::size_t>(face)]};
+  if (mesh.on[v].dim == 2) {
+    if (v.index() < on_face_known_.size() && on_face_known_[v.index()]) return on_face_[v.index()];
+  } else if (const auto it = on_rim_.find(rim_key(v, face)); it != on_rim_.end()) {
+    return it->second;
   }
-  set_seat(mesh, v, face, seat);
-  return inside ? on_face_[v.index()] : on_rim_.at(rim_key(v, face));
+  return project(mesh, v, face);
 }
 
 void BoundaryGuard::set_seat(const WorkMesh& mesh, VertexId v, int face, const Seat& seat) {
@@ -86,23 +113,19 @@ void BoundaryGuard::set_seat(const WorkMesh& mesh, VertexId v, int face, const S
   on_face_known_[v.index()] = 1;
 }
 
-double BoundaryGuard::parameter(const WorkMesh& mesh, VertexId v) {
-  const auto [it, fresh] = parameter_.try_emplace(v.index(), 0.0);
-  if (fresh) it->second = model_->edge_closest(mesh.on[v].tag, mesh.points[v]).t;
-  return it->second;
+void BoundaryGuard::set_parameter(VertexId v, double t) {
+  if (v.index() >= parameter_.size()) parameter_.resize(v.index() + 1, 0.0);
+  parameter_[v.index()] = t;
 }
 
-Fit BoundaryGuard::fit(const WorkMesh& mesh, int face, const std::array<VertexId, 3>& v) {
+Fit BoundaryGuard::fit(const WorkMesh& mesh, int face, const std::array<VertexId, 3>& v) const {
   const std::array<Vec3, 3> points{mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]]};
   if (planar(face)) {
     const Vec3& n = plane_normal_[static_cast<std::size_t>(face)];
     return fit(points, {n, n, n});
   }
-  // Three calls that may each move what an earlier reference points to: take copies.
-  const Vec3 n0 = seat(mesh, v[0], face).normal;
-  const Vec3 n1 = seat(mesh, v[1], face).normal;
-  const Vec3 n2 = seat(mesh, v[2], face).normal;
-  return fit(points, {n0, n1, n2});
+  return fit(points,
+             {seat(mesh, v[0], face).normal, seat(mesh, v[1], face).normal, seat(mesh, v[2], face).normal});
 }
 
 Fit BoundaryGuard::fit(const std::array<Vec3, 3>& points, const std::array<Vec3, 3>& normals) {

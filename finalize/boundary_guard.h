@@ -38,7 +38,8 @@ struct VolumeChange {
   double change = 0.0;
 };
 
-/// Normals of vertices on faces, found once, and what a change of the boundary may do.
+/// Seats of vertices on faces, found once (on all cores), and what a change of the boundary may do. What is
+/// const may be asked by many threads at once.
 ///
 /// Why: greedy improvement of angles folds thin curved sheets over their own surface. All vertices stay on
 /// the exact geometry, so a triangle can leave it by its sagitta only, and that is bounded by the turn of the
@@ -49,17 +50,17 @@ class BoundaryGuard {
   BoundaryGuard(const Model& model, const WorkMesh& mesh, std::span<const double> volume_beyond = {});
 
   [[nodiscard]] bool planar(int face) const { return planar_[static_cast<std::size_t>(face)]; }
-  /// Seat of a vertex in the closure of the face; projected at the first call.
-  [[nodiscard]] const Seat& seat(const WorkMesh& mesh, VertexId v, int face);
+  /// Seat of a vertex in the closure of the face.
+  [[nodiscard]] Seat seat(const WorkMesh& mesh, VertexId v, int face) const;
   /// The vertex moved (or is new): its seat on the face is now this.
   void set_seat(const WorkMesh& mesh, VertexId v, int face, const Seat& seat);
 
   /// Parameter of a vertex on its model edge.
-  [[nodiscard]] double parameter(const WorkMesh& mesh, VertexId v);
-  void set_parameter(VertexId v, double t) { parameter_[v.index()] = t; }
+  [[nodiscard]] double parameter(VertexId v) const { return parameter_[v.index()]; }
+  void set_parameter(VertexId v, double t);
 
   /// Fit of one triangle that is oriented as the face.
-  [[nodiscard]] Fit fit(const WorkMesh& mesh, int face, const std::array<VertexId, 3>& triangle);
+  [[nodiscard]] Fit fit(const WorkMesh& mesh, int face, const std::array<VertexId, 3>& triangle) const;
   /// The same for a vertex at another place.
   [[nodiscard]] static Fit fit(const std::array<Vec3, 3>& points, const std::array<Vec3, 3>& normals);
 
@@ -75,13 +76,16 @@ class BoundaryGuard {
   void take(std::span<const VolumeChange> changes);
 
  private:
+  void seat_all(const WorkMesh& mesh);
+  [[nodiscard]] Seat project(const WorkMesh& mesh, VertexId v, int face) const;
+
   const Model* model_;
   std::vector<char> planar_;                        ///< per face tag
   std::vector<Vec3> plane_normal_;                  ///< per face tag
   std::vector<Seat> on_face_;                       ///< per vertex: of vertices inside a face
   std::vector<char> on_face_known_;                 ///< per vertex
   std::unordered_map<std::uint64_t, Seat> on_rim_;  ///< (vertex, face): of vertices on edges; looked up only
-  std::unordered_map<std::uint32_t, double> parameter_;
+  std::vector<double> parameter_;                   ///< per vertex: of vertices on edges
   std::vector<double> volume_, exact_volume_, allowed_;  ///< per region tag
 };
 

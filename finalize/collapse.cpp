@@ -168,7 +168,7 @@ bool cuts_a_bend(Workshop& shop, const NewPiece& piece) {
   constexpr double kQuarterCircle = 1.1107;  // arc over chord
   const ModelEdge& edge = shop.model.edge(piece.edge);
   const auto parameter = [&](VertexId v, double at_vertex) {
-    return shop.mesh.on[v].dim == 0 ? at_vertex : shop.guard.parameter(shop.mesh, v);
+    return shop.mesh.on[v].dim == 0 ? at_vertex : shop.guard.parameter(v);
   };
   const double length =
       shop.model.edge_length(piece.edge, parameter(piece.from, edge.t0), parameter(piece.to, edge.t1));

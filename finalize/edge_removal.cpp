@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <limits>
 
 #include "finalize/cavity.h"
+#include "finalize/mean_shape.h"
 #include "finalize/shape.h"
 #include "mesh/quality.h"
 
@@ -27,7 +29,8 @@ struct Sector {
 /// The best triangulation of the polygon rim[0..n-1] [Klincsek's dynamic programming]: split[i][j] is the
 /// third vertex of the triangle on chord (i, j).
 struct Triangulation2D {
-  double worst = 1.0;
+  double value = 0.0;
+  std::uint64_t work = 0;  ///< evaluations of `shape`
   std::array<std::array<std::int8_t, kMaxRim + 1>, kMaxRim + 1> split{};
 };
 
@@ -61,35 +64,54 @@ bool collect_sectors(const WorkMesh& mesh, const EdgeRing& ring, std::vector<Sec
   return true;
 }
 
-Triangulation2D triangulate(Workshop& shop, const EdgeRing& ring, const Sector& sector, double floor) {
-  const WorkMesh& mesh = shop.mesh;
+/// What a triangulation is judged by: the worst of its tetrahedra, or the sum of their merits where none is
+/// as bad as `floor`.
+struct Aim {
+  bool mean = false;
+  double floor = 0.0;
+
+  [[nodiscard]] double of_none() const { return mean ? 0.0 : 1.0; }
+  [[nodiscard]] double join(double p, double q) const { return mean ? p + q : std::min(p, q); }
+  /// -1 (worst) or minus infinity (mean) for what may not be.
+  [[nodiscard]] double of(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) const {
+    const double value = shape(a, b, c, d);
+    if (!mean) return value;
+    return value > floor ? merit(a, b, c, d) : -std::numeric_limits<double>::infinity();
+  }
+};
+
+Triangulation2D triangulate(const WorkMesh& mesh, const EdgeRing& ring, const Sector& sector,
+                            const Aim& aim) {
   const int n = static_cast<int>(sector.rim.size());
   const Vec3 &a = mesh.points[ring.a], &b = mesh.points[ring.b];
   std::array<Vec3, kMaxRim + 1> p;
   for (int i = 0; i < n; ++i) p[i] = mesh.points[sector.rim[i]];
   std::array<std::array<double, kMaxRim + 1>, kMaxRim + 1> best{};
   Triangulation2D result;
-  for (int i = 0; i + 1 < n; ++i) best[i][i + 1] = 1.0;
+  const double nothing = aim.mean ? -std::numeric_limits<double>::infinity() : 0.0;
+  for (int i = 0; i + 1 < n; ++i) best[i][i + 1] = aim.of_none();
   for (int span = 2; span < n; ++span) {
     for (int i = 0; i + span < n; ++i) {
       const int j = i + span;
-      best[i][j] = 0.0;
+      best[i][j] = nothing;
       for (int k = i + 1; k < j; ++k) {
-        double value = std::min(best[i][k], best[k][j]);
-        const double bar = std::max(best[i][j], floor);
-        if (value <= bar) continue;
-        value = std::min(value, shape(p[i], p[k], p[j], b));
-        ++shop.work;
-        if (value <= bar) continue;
-        value = std::min(value, shape(p[i], p[j], p[k], a));
-        ++shop.work;
+        double value = aim.join(best[i][k], best[k][j]);
+        // Worst: a bound; mean: each further tetrahedron adds kMeritOfPerfect at most.
+        const double bar = aim.mean ? best[i][j] : std::max(best[i][j], aim.floor);
+        const double hope = aim.mean ? kMeritOfPerfect : 0.0;
+        if (value + 2.0 * hope <= bar) continue;
+        value = aim.join(value, aim.of(p[i], p[k], p[j], b));
+        ++result.work;
+        if (value + hope <= bar) continue;
+        value = aim.join(value, aim.of(p[i], p[j], p[k], a));
+        ++result.work;
         if (value <= bar) continue;
         best[i][j] = value;
         result.split[i][j] = static_cast<std::int8_t>(k);
       }
     }
   }
-  result.worst = best[0][n - 1];
+  result.value = best[0][n - 1];
   return result;
 }
 
@@ -123,7 +145,7 @@ SurfaceSwap surface_swap(const EdgeRing& ring, const Sector& sector) {
   return swap;
 }
 
-bool swap_fits(Workshop& shop, const SurfaceSwap& swap) {
+bool swap_fits(const Workshop& shop, const SurfaceSwap& swap) {
   Fit before, after;
   double longest = 0.0;
   for (const NewTriangle& t : swap.before) {
@@ -170,33 +192,52 @@ struct Plan {
   EdgeRing ring;
   std::vector<Sector> sectors;
   std::vector<Triangulation2D> triangulations;
-  double worst = 1.0;
+  double value = 0.0;
+  std::uint64_t work = 0;
 };
 
-bool make_plan(Workshop& shop, TetId t, VertexId a, VertexId b, double floor, Plan& plan) {
+/// An operation for the mean must win this much.
+constexpr double kLeastMeritGain = 0.02;
+/// Rings whose tetrahedra have this merit on average are left alone, and those beyond so many vertices.
+constexpr double kSatisfied = 0.0;
+constexpr std::size_t kMaxRimForMean = 7;
+
+double merit_of(const WorkMesh& mesh, const std::vector<TetId>& tets) {
+  double sum = 0.0;
+  for (const TetId t : tets)
+    sum += merit(mesh.point(t, 0), mesh.point(t, 1), mesh.point(t, 2), mesh.point(t, 3));
+  return sum;
+}
+
+/// Plans to remove the edge of plan.ring for a value above `least`, as far as shapes and geometry go; whether
+/// the surface would touch itself is left to `carry_out`.
+bool fill_plan(const Workshop& shop, const Aim& aim, double least, Plan& plan) {
   const WorkMesh& mesh = shop.mesh;
+  const VertexId a = plan.ring.a, b = plan.ring.b;
   if (piece_on(mesh, a, b) != 0 || (mesh.frozen[a] && mesh.frozen[b])) return false;
-  edge_ring(mesh, t, a, b, plan.ring);
   if (!collect_sectors(mesh, plan.ring, plan.sectors)) return false;
+  plan.value = aim.of_none();
   for (const Sector& sector : plan.sectors) {
-    plan.triangulations.push_back(triangulate(shop, plan.ring, sector, floor));
-    plan.worst = std::min(plan.worst, plan.triangulations.back().worst);
-    if (plan.worst <= floor) return false;
+    plan.triangulations.push_back(triangulate(mesh, plan.ring, sector, aim));
+    plan.value = aim.join(plan.value, plan.triangulations.back().value);
+    plan.work += plan.triangulations.back().work;
+    if (!aim.mean && plan.value <= least) return false;
   }
+  if (plan.value <= least) return false;
   if (plan.sectors[0].face_on == 0) return true;
-  return swap_fits(shop, surface_swap(plan.ring, plan.sectors[0])) && chord_is_free(shop, plan.sectors);
+  return swap_fits(shop, surface_swap(plan.ring, plan.sectors[0]));
 }
 
-}  // namespace
-
-double edge_removal_shape(Workshop& shop, TetId t, VertexId a, VertexId b, double floor) {
-  Plan plan;
-  return make_plan(shop, t, a, b, floor, plan) ? plan.worst : 0.0;
+bool plan_for_mean(const Workshop& shop, const EdgeRing& ring, double floor, Plan& plan) {
+  const double merits = merit_of(shop.mesh, ring.tets);
+  if (ring.rim.size() > kMaxRimForMean || merits > kSatisfied * static_cast<double>(ring.tets.size()))
+    return false;
+  plan.ring = ring;
+  return fill_plan(shop, {true, floor}, merits + kLeastMeritGain, plan);
 }
 
-bool remove_edge(Workshop& shop, TetId t, VertexId a, VertexId b, double floor) {
-  Plan plan;
-  if (!make_plan(shop, t, a, b, floor, plan)) return false;
+bool carry_out(Workshop& shop, const Plan& plan) {
+  if (plan.sectors[0].face_on != 0 && !chord_is_free(shop, plan.sectors)) return false;
   std::vector<NewTet> added;
   for (std::size_t i = 0; i < plan.sectors.size(); ++i) {
     emit(plan.ring, plan.sectors[i], plan.triangulations[i], 0,
@@ -213,6 +254,35 @@ bool remove_edge(Workshop& shop, TetId t, VertexId a, VertexId b, double floor) 
   shop.guard.take(volumes);
   ++shop.report.edge_removals;
   return true;
+}
+
+}  // namespace
+
+double edge_removal_shape(Workshop& shop, TetId t, VertexId a, VertexId b, double floor) {
+  Plan plan;
+  edge_ring(shop.mesh, t, a, b, plan.ring);
+  const bool better = fill_plan(shop, {false, floor}, floor, plan);
+  shop.work += plan.work;
+  const bool free = better && (plan.sectors[0].face_on == 0 || chord_is_free(shop, plan.sectors));
+  return free ? plan.value : 0.0;
+}
+
+bool remove_edge(Workshop& shop, TetId t, VertexId a, VertexId b, double floor) {
+  Plan plan;
+  edge_ring(shop.mesh, t, a, b, plan.ring);
+  const bool better = fill_plan(shop, {false, floor}, floor, plan);
+  shop.work += plan.work;
+  return better && carry_out(shop, plan);
+}
+
+bool edge_removal_raises_mean(const Workshop& shop, const EdgeRing& ring, double floor) {
+  Plan plan;
+  return plan_for_mean(shop, ring, floor, plan);
+}
+
+bool remove_edge_for_mean(Workshop& shop, const EdgeRing& ring, double floor) {
+  Plan plan;
+  return plan_for_mean(shop, ring, floor, plan) && carry_out(shop, plan);
 }
 
 }  // namespace octet

@@ -17,4 +17,11 @@ bool remove_edge(Workshop& shop, TetId t, VertexId a, VertexId b, double floor);
 /// The worst shape that remove_edge would reach; 0 when the edge cannot be removed for better than `floor`.
 [[nodiscard]] double edge_removal_shape(Workshop& shop, TetId t, VertexId a, VertexId b, double floor);
 
+/// Removes the ring's edge if that raises the sum of merits (finalize/mean_shape.h) and no new tetrahedron is
+/// as bad as `floor`.
+bool remove_edge_for_mean(Workshop& shop, const EdgeRing& ring, double floor);
+/// Whether it would, where the mesh's surface does not forbid it. Changes nothing; many threads may ask at
+/// once.
+[[nodiscard]] bool edge_removal_raises_mean(const Workshop& shop, const EdgeRing& ring, double floor);
+
 }  // namespace octet

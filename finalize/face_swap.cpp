@@ -3,31 +3,76 @@
 #include "finalize/face_swap.h"
 
 #include "finalize/cavity.h"
+#include "finalize/mean_shape.h"
 #include "finalize/shape.h"
 
 namespace octet {
+namespace {
 
-bool swap_face(Workshop& shop, TetId t, int face, double floor) {
-  const WorkMesh& mesh = shop.mesh;
+/// A swap for the mean must win this much merit.
+constexpr double kLeastMeritGain = 0.02;
+
+struct Plan {
+  std::array<TetId, 2> removed;
+  std::array<NewTet, 3> added;
+  std::uint64_t work = 0;
+};
+
+/// The swap, if all that it makes is better than `floor`.
+bool make_plan(const WorkMesh& mesh, TetId t, int face, double floor, Plan& plan) {
   const TetId n = mesh.neighbours[t][face];
   if (!n.valid() || mesh.face_on[t][face] != 0) return false;
+  plan.removed = {t, n};
   int back = 0;
   while (mesh.neighbours[n][back] != t) ++back;
   const VertexId p = mesh.tets[t][face], q = mesh.tets[n][back];
   // Face (x, y, z) is seen counter-clockwise from q and p lies behind it, so (x, y, p, q) is positive.
-  std::array<NewTet, 3> added;
   for (int i = 0; i < 3; ++i) {
     const VertexId x = mesh.tets[t][kTetFace[face][i]], y = mesh.tets[t][kTetFace[face][(i + 1) % 3]];
-    added[i] = {{x, y, p, q}, mesh.region[t]};
-    const auto& v = added[i].vertices;
-    ++shop.work;
-    if (shape(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], mesh.points[v[3]]) <= floor)
-      return false;
+    plan.added[i] = {{x, y, p, q}, mesh.region[t]};
+    ++plan.work;
+    if (shape(mesh.points[x], mesh.points[y], mesh.points[p], mesh.points[q]) <= floor) return false;
   }
-  const std::array<TetId, 2> removed{t, n};
-  if (!replace_cavity(shop.mesh, {removed, added}, shop.made)) return false;
+  return true;
+}
+
+double merit_of(const WorkMesh& mesh, const std::array<VertexId, 4>& v) {
+  return merit(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], mesh.points[v[3]]);
+}
+
+bool plan_for_mean(const WorkMesh& mesh, TetId t, int face, double floor, Plan& plan) {
+  const TetId n = mesh.neighbours[t][face];
+  if (!n.valid()) return false;
+  double gain = -merit_of(mesh, mesh.tets[t]) - merit_of(mesh, mesh.tets[n]);
+  // Three from two that are good already are seldom better.
+  if (gain < 0.0 || !make_plan(mesh, t, face, floor, plan)) return false;
+  for (const NewTet& tet : plan.added) gain += merit_of(mesh, tet.vertices);
+  return gain > kLeastMeritGain;
+}
+
+bool carry_out(Workshop& shop, const Plan& plan) {
+  if (!replace_cavity(shop.mesh, {plan.removed, plan.added}, shop.made)) return false;
   ++shop.report.face_swaps;
   return true;
+}
+
+}  // namespace
+
+bool swap_face(Workshop& shop, TetId t, int face, double floor) {
+  Plan plan;
+  const bool better = make_plan(shop.mesh, t, face, floor, plan);
+  shop.work += plan.work;
+  return better && carry_out(shop, plan);
+}
+
+bool face_swap_raises_mean(const Workshop& shop, TetId t, int face, double floor) {
+  Plan plan;
+  return plan_for_mean(shop.mesh, t, face, floor, plan);
+}
+
+bool swap_face_for_mean(Workshop& shop, TetId t, int face, double floor) {
+  Plan plan;
+  return plan_for_mean(shop.mesh, t, face, floor, plan) && carry_out(shop, plan);
 }
 
 }  // namespace octet

@@ -13,15 +13,13 @@
 namespace octet {
 
 struct FinalizeOptions {
-  double target_dihedral =
-      0.349;  ///< radians (20 degrees): elements whose smallest dihedral is below it are worked on
+  double target_dihedral = 0.349;  ///< radians (20 degrees): what every element should have; less is reported
   double leave_interior =
       0.524;  ///< radians (30 degrees): elements without a boundary vertex are touched only below this
   double short_edge =
       0.35;  ///< edges shorter than this share of the local size are collapsed where the model allows
   double max_seconds =
       0.0;  ///< 0: the built-in work budget only (deterministic; counts of operations, not time)
-  int threads = 1;
   /// The first so many vertices stay where they are and keep their numbers: tetrahedra that are not given
   /// here hold on to them, beyond faces that have one tetrahedron and are no triangles.
   std::size_t fixed_vertices = 0;
@@ -43,7 +41,8 @@ struct FinalizeReport {
 /// model vertices stay, vertices on model edges move along them, vertices on faces move on them by exact
 /// projection, boundary swaps and collapses keep every model edge a chain and every face a disk-wise surface.
 /// The distance of the boundary to the CAD never grows beyond what the chord error of the local size allows.
-/// The smallest dihedral never decreases. [Handbook 15.6]
+/// The smallest dihedral never decreases. Runs on the threads of the caller's arena; the result does not
+/// depend on their number. [Handbook 15.6]
 FinalizeReport finalize(Mesh& mesh, const Model& model, const FinalizeOptions& options, Observer& observer);
 
 }  // namespace octet

@@ -191,19 +191,6 @@ void collapse_short_edges(Workshop& shop) {
   }
 }
 
-void smooth_sweep(Workshop& shop, double goal) {
-  WorkMesh& mesh = shop.mesh;
-  std::vector<char> wanted(mesh.points.size(), 0);
-  for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
-    const TetId t(i);
-    if (!mesh.alive(t) || mesh.quality[t] >= goal_of(shop, t, goal)) continue;
-    for (const VertexId v : mesh.tets[t]) wanted[v.index()] = 1;
-  }
-  for (std::size_t i = 0; i < wanted.size(); ++i) {
-    if (wanted[i]) laplacian_step(shop, VertexId(i));
-  }
-}
-
 void relax_around(Workshop& shop, double goal, double wish) {
   WorkMesh& mesh = shop.mesh;
   std::vector<VertexId> near;

@@ -11,9 +11,6 @@ namespace octet {
 /// local size: the nicks that points near to each other leave [Handbook 15.6.2].
 void collapse_short_edges(Workshop& shop);
 
-/// One sweep of the constrained Laplacian over the vertices whose worst tetrahedron is below `goal`.
-void smooth_sweep(Workshop& shop, double goal);
-
 /// Which operators a pass may use.
 enum class Effort {
   kPolish,  ///< edge removal, face swaps and smoothing

@@ -21,8 +21,9 @@ const Seat* find_seat(const Stand& stand, int face) {
   return nullptr;
 }
 
-std::optional<FaceFoot> project(Workshop& shop, int face, const Vec3& p, const Seat* seed) {
-  shop.work += kProjectionWork;
+std::optional<FaceFoot> project(const Workshop& shop, LocalStar& star, int face, const Vec3& p,
+                                const Seat* seed) {
+  star.work += kProjectionWork;
   const FaceFoot foot =
       seed != nullptr ? shop.model.face_project(face, p, seed->uv) : shop.model.face_project(face, p);
   return foot.converged ? std::optional(foot) : std::nullopt;
@@ -44,7 +45,7 @@ void collect_triangles(const WorkMesh& mesh, TetId t, VertexId v, std::vector<St
 
 }  // namespace
 
-LocalStar local_star(Workshop& shop, VertexId v, const std::vector<TetId>& tets) {
+LocalStar local_star(const Workshop& shop, VertexId v, std::span<const TetId> tets) {
   const WorkMesh& mesh = shop.mesh;
   LocalStar star;
   star.on = mesh.on[v];
@@ -65,7 +66,7 @@ LocalStar local_star(Workshop& shop, VertexId v, const std::vector<TetId>& tets)
   return star;
 }
 
-void dress_triangles(Workshop& shop, LocalStar& star, const Fit& before, double size) {
+void dress_triangles(const Workshop& shop, LocalStar& star, const Fit& before, double size) {
   star.bound = BoundaryGuard::bound(before, size);
   for (const StarTriangle& triangle : star.triangles) {
     const auto [x, y] = triangle.rim;
@@ -79,10 +80,10 @@ void dress_triangles(Workshop& shop, LocalStar& star, const Fit& before, double 
   star.faces.erase(std::unique(star.faces.begin(), star.faces.end()), star.faces.end());
 }
 
-Stand current_stand(Workshop& shop, VertexId v, const LocalStar& star) {
+Stand current_stand(const Workshop& shop, VertexId v, const LocalStar& star) {
   Stand stand;
   stand.point = shop.mesh.points[v];
-  if (star.on.dim == 1) stand.t = shop.guard.parameter(shop.mesh, v);
+  if (star.on.dim == 1) stand.t = shop.guard.parameter(v);
   if (star.on.dim == 3) return stand;
   for (const int face : star.faces) {
     if (!shop.guard.planar(face)) stand.seats.emplace_back(face, shop.guard.seat(shop.mesh, v, face));
@@ -90,7 +91,7 @@ Stand current_stand(Workshop& shop, VertexId v, const LocalStar& star) {
   return stand;
 }
 
-bool take_stand(Workshop& shop, const LocalStar& star, const Stand& from, const Vec3& wish, Stand& stand) {
+bool take_stand(const Workshop& shop, LocalStar& star, const Stand& from, const Vec3& wish, Stand& stand) {
   stand.seats.clear();
   stand.point = wish;
   if (star.on.dim == 1) {
@@ -101,7 +102,7 @@ bool take_stand(Workshop& shop, const LocalStar& star, const Stand& from, const 
     // Any foot is exact on a plane; its (u,v) is not kept.
     stand.point = shop.model.face_project(star.on.tag, wish, Vec2::Zero()).point;
   } else if (star.on.dim == 2) {
-    const std::optional<FaceFoot> foot = project(shop, star.on.tag, wish, find_seat(from, star.on.tag));
+    const std::optional<FaceFoot> foot = project(shop, star, star.on.tag, wish, find_seat(from, star.on.tag));
     if (!foot) return false;
     stand.point = foot->point;
     stand.seats.emplace_back(star.on.tag, Seat{foot->uv, foot->normal});
@@ -109,24 +110,24 @@ bool take_stand(Workshop& shop, const LocalStar& star, const Stand& from, const 
   return true;
 }
 
-bool take_seats(Workshop& shop, const LocalStar& star, const Stand& from, Stand& stand) {
+bool take_seats(const Workshop& shop, LocalStar& star, const Stand& from, Stand& stand) {
   if (star.on.dim != 1) return true;
   for (const int face : star.faces) {
     if (shop.guard.planar(face)) continue;
-    const std::optional<FaceFoot> foot = project(shop, face, stand.point, find_seat(from, face));
+    const std::optional<FaceFoot> foot = project(shop, star, face, stand.point, find_seat(from, face));
     if (!foot) return false;
     stand.seats.emplace_back(face, Seat{foot->uv, foot->normal});
   }
   return true;
 }
 
-double star_shape(Workshop& shop, const LocalStar& star, const Vec3& place, double floor) {
+double star_shape(LocalStar& star, const Vec3& place, double floor) {
   double worst = 1.0;
   std::size_t i = 0;
   for (; i < star.bases.size() && worst > floor; ++i) {
     worst = std::min(worst, shape(star.bases[i][0], star.bases[i][1], star.bases[i][2], place));
   }
-  shop.work += i;
+  star.work += i;
   return worst;
 }
 

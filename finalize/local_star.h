@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "finalize/workshop.h"
@@ -22,7 +23,8 @@ struct Stand {
   std::vector<std::pair<int, Seat>> seats;  ///< per model face of the star's triangles, planar ones excepted
 };
 
-/// Ensures nothing about the mesh: a star may stand for a vertex that does not exist yet.
+/// Many threads may work on stars of their own. Ensures nothing about the mesh: a star may stand for a vertex
+/// that does not exist yet.
 struct LocalStar {
   ModelRef on;                               ///< entity that the vertex must stay on
   std::vector<std::array<Vec3, 3>> bases;    ///< shape(x, y, z, place) positive for each tetrahedron
@@ -32,25 +34,26 @@ struct LocalStar {
   std::vector<int> faces;                    ///< model faces of the triangles, once each
   Fit bound;                                 ///< what the triangles may become
   double length = 0.0;                       ///< mean distance from the place to the bases
+  std::uint64_t work = 0;                    ///< done on it, in evaluations of `shape`
 };
 
 /// The star of a vertex of the mesh; `tets` are the tetrahedra around it.
-[[nodiscard]] LocalStar local_star(Workshop& shop, VertexId v, const std::vector<TetId>& tets);
+[[nodiscard]] LocalStar local_star(const Workshop& shop, VertexId v, std::span<const TetId> tets);
 /// Fills rims, normals, faces from `triangles`; `before` is the fit of the triangles to be replaced.
-void dress_triangles(Workshop& shop, LocalStar& star, const Fit& before, double size);
+void dress_triangles(const Workshop& shop, LocalStar& star, const Fit& before, double size);
 
 /// How the vertex of the mesh stands now.
-[[nodiscard]] Stand current_stand(Workshop& shop, VertexId v, const LocalStar& star);
+[[nodiscard]] Stand current_stand(const Workshop& shop, VertexId v, const LocalStar& star);
 
 /// Brings `wish` onto the entity, starting from how the vertex stands; false when the projection fails. The
 /// seats of a vertex on an edge are left for `take_seats`.
-[[nodiscard]] bool take_stand(Workshop& shop, const LocalStar& star, const Stand& from, const Vec3& wish,
+[[nodiscard]] bool take_stand(const Workshop& shop, LocalStar& star, const Stand& from, const Vec3& wish,
                               Stand& stand);
 /// Seats a vertex on an edge on the faces there.
-[[nodiscard]] bool take_seats(Workshop& shop, const LocalStar& star, const Stand& from, Stand& stand);
+[[nodiscard]] bool take_seats(const Workshop& shop, LocalStar& star, const Stand& from, Stand& stand);
 
 /// Smallest shape of the star with the vertex there; may stop early at a value not above `floor`.
-[[nodiscard]] double star_shape(Workshop& shop, const LocalStar& star, const Vec3& place, double floor);
+[[nodiscard]] double star_shape(LocalStar& star, const Vec3& place, double floor);
 /// Whether the triangles keep to the bound with the vertex standing so.
 [[nodiscard]] bool triangles_fit(const Workshop& shop, const LocalStar& star, const Stand& stand);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The measure that finalization raises: the square of the smallest sine of a tetrahedron's dihedral angles.
+// The measure that finalization raises: the worst of a tetrahedron's dihedral angles and of its mean ratio.
 #pragma once
 
 #include <algorithm>
@@ -10,10 +10,15 @@
 
 namespace octet {
 
-/// The squares of the sines of the six dihedral angles, each with the sign of the volume, in the order of
-/// kTetEdge (mesh/tet_mesh.h); all zero for a tetrahedron without volume.
-[[nodiscard]] inline std::array<double, 6> squared_sines(const Vec3& a, const Vec3& b, const Vec3& c,
-                                                         const Vec3& d) {
+/// Weight of the cubed mean ratio beside the squared sines: a ratio of 0.5 counts as an angle of 30 degrees.
+/// Angles alone let vertices meet: a sliver's angles are best mended by making a needle of it.
+inline constexpr double kRatioWeight = 2.0;
+
+/// What makes a tetrahedron good, each with the sign of the volume: the squares of the sines of the six
+/// dihedral angles, in the order of kTetEdge (mesh/tet_mesh.h), and kRatioWeight times the cube of the mean
+/// ratio. All zero for a tetrahedron without volume.
+[[nodiscard]] inline std::array<double, 7> merits_of_shape(const Vec3& a, const Vec3& b, const Vec3& c,
+                                                           const Vec3& d) {
   const Vec3 ab = b - a, ac = c - a, ad = d - a, bc = c - b, bd = d - b, cd = d - c;
   const Vec3 face_d = ab.cross(ac);
   const double det = face_d.dot(ad);
@@ -23,19 +28,28 @@ namespace octet {
   // The sine at an edge e between faces of normals n, m (of twice the areas' length) is 6 V |e| / (|n| |m|).
   const double square = det * std::abs(det);
   const double ia = 1.0 / na, ib = 1.0 / nb, ic = square / nc, id = square / nd;
-  return {ab.squaredNorm() * (ic / nd), ac.squaredNorm() * (id * ib), ad.squaredNorm() * (ic * ib),
-          bc.squaredNorm() * (id * ia), bd.squaredNorm() * (ic * ia), cd.squaredNorm() * (square * ia * ib)};
+  const double lab = ab.squaredNorm(), lac = ac.squaredNorm(), lad = ad.squaredNorm(), lbc = bc.squaredNorm(),
+               lbd = bd.squaredNorm(), lcd = cd.squaredNorm();
+  // The mean ratio is 12 (3 V)^(2/3) / (sum of squared edges), so its cube is 432 (6 V)^2 / sum^3.
+  const double sum = lab + lac + lad + lbc + lbd + lcd;
+  return {lab * (ic / nd),
+          lac * (id * ib),
+          lad * (ic * ib),
+          lbc * (id * ia),
+          lbd * (ic * ia),
+          lcd * (square * ia * ib),
+          kRatioWeight * 432.0 * square / (sum * sum * sum)};
 }
 
-/// Square of the smallest of the six sines, in [0, 8/9]; it falls for angles near 0 and near pi alike. Zero
-/// or negative when the volume (in doubles) is not positive. Smooth where one angle alone is the worst; no
-/// square root, no trigonometry: it is evaluated a hundred times for each tetrahedron made.
+/// The least of them, in [0, 8/9]; it falls for angles near 0 and near pi alike, and for needles. Zero or
+/// negative when the volume (in doubles) is not positive. Smooth where one alone is the least; no square
+/// root, no trigonometry: it is evaluated a hundred times for each tetrahedron made.
 [[nodiscard]] inline double shape(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  const std::array<double, 6> s = squared_sines(a, b, c, d);
-  return std::min(std::min(std::min(s[0], s[1]), std::min(s[2], s[3])), std::min(s[4], s[5]));
+  const std::array<double, 7> s = merits_of_shape(a, b, c, d);
+  return std::min(std::min(std::min(s[0], s[1]), std::min(s[2], s[3])), std::min(std::min(s[4], s[5]), s[6]));
 }
 
-/// The measure of a tetrahedron whose worst dihedral angle is `radians`.
+/// The measure of a tetrahedron whose worst is a dihedral angle of `radians`.
 [[nodiscard]] inline double shape_of_angle(double radians) {
   const double s = std::sin(radians);
   return s * s;

@@ -15,37 +15,36 @@ namespace {
 
 constexpr int kLineSearches = 6;
 constexpr int kSections = 4;
-/// Angles whose sine is within this factor of the worst are raised together.
+/// What is within this factor of the worst (as a sine) is raised together with it.
 constexpr double kNearlyWorst = 1.1;
 constexpr std::size_t kMaxActive = 24;
 
 double signed_root(double square) { return square < 0.0 ? -std::sqrt(-square) : std::sqrt(square); }
 
-/// Gradients, by central differences, of the sines that are nearly the worst. Sines, not their squares: a
-/// square is flat where the tetrahedron is flat.
-void active_gradients(Workshop& shop, const LocalStar& star, const Vec3& place, double worst,
-                      std::vector<Vec3>& gradients) {
+/// Gradients, by central differences, of the roots of the merits that are nearly the worst. Roots (sines),
+/// not the merits: a square is flat where the tetrahedron is flat.
+void active_gradients(LocalStar& star, const Vec3& place, double worst, std::vector<Vec3>& gradients) {
   gradients.clear();
   const double limit = std::max(worst * kNearlyWorst * kNearlyWorst, 1e-8);
   const double step = 1e-5 * star.length;
   for (const auto& base : star.bases) {
-    const auto squares = squared_sines(base[0], base[1], base[2], place);
+    const auto squares = merits_of_shape(base[0], base[1], base[2], place);
     if (*std::min_element(squares.begin(), squares.end()) > limit) continue;
-    std::array<Vec3, 6> gradient;
+    std::array<Vec3, 7> gradient;
     for (int axis = 0; axis < 3; ++axis) {
       const Vec3 offset = step * Vec3::Unit(axis);
-      const auto ahead = squared_sines(base[0], base[1], base[2], place + offset);
-      const auto behind = squared_sines(base[0], base[1], base[2], place - offset);
-      for (int e = 0; e < 6; ++e) {
+      const auto ahead = merits_of_shape(base[0], base[1], base[2], place + offset);
+      const auto behind = merits_of_shape(base[0], base[1], base[2], place - offset);
+      for (int e = 0; e < 7; ++e) {
         gradient[e][axis] = (signed_root(ahead[e]) - signed_root(behind[e])) / (2.0 * step);
       }
     }
-    shop.work += 7;
-    for (int e = 0; e < 6 && gradients.size() < kMaxActive; ++e) {
+    star.work += 7;
+    for (int e = 0; e < 7 && gradients.size() < kMaxActive; ++e) {
       if (squares[e] <= limit) gradients.push_back(gradient[e]);
     }
   }
-  shop.work += star.bases.size();
+  star.work += star.bases.size();
 }
 
 /// The shortest vector of the convex hull of the gradients: the direction along which the least of them rises
@@ -86,20 +85,22 @@ bool projects_dearly(const Workshop& shop, const LocalStar& star) {
   return star.on.dim == 2 && !shop.guard.planar(star.on.tag);
 }
 
-/// Shape with the vertex at `wish`, brought onto its entity; -1 where it cannot stand or is not above
-/// `floor`.
-double probe(Workshop& shop, const LocalStar& star, const Stand& from, const Vec3& wish, double floor,
+}  // namespace
+
+double probe(const Workshop& shop, LocalStar& star, const Stand& from, const Vec3& wish, double floor,
              Stand& stand) {
   // The foot on a curved face is near to the wish: where that is far from good enough, spare the projection.
   constexpr double kHopeless = 0.7;
-  if (projects_dearly(shop, star) && star_shape(shop, star, wish, kHopeless * floor) <= kHopeless * floor)
+  if (projects_dearly(shop, star) && star_shape(star, wish, kHopeless * floor) <= kHopeless * floor)
     return -1.0;
   if (!take_stand(shop, star, from, wish, stand)) return -1.0;
-  const double value = star_shape(shop, star, stand.point, floor);
+  const double value = star_shape(star, stand.point, floor);
   if (value <= floor || !take_seats(shop, star, from, stand) || !triangles_fit(shop, star, stand))
     return -1.0;
   return value;
 }
+
+namespace {
 
 /// Half the curvature vector of the face in the direction, from how the normals turn towards the rim; zero
 /// where projections are cheap.
@@ -120,7 +121,7 @@ Vec3 bend_along(const Workshop& shop, const LocalStar& star, const Stand& stand,
 
 /// Golden section along the line between 0 and `reach`; on a curved face along its osculating parabola, so
 /// that only the place found is projected. Leaves the best place in `stand` and returns its shape.
-double search_line(Workshop& shop, const LocalStar& star, const Vec3& direction, double worst, double reach,
+double search_line(const Workshop& shop, LocalStar& star, const Vec3& direction, double worst, double reach,
                    Stand& stand) {
   constexpr double kGolden = 0.6180339887498949;
   const Stand from = stand;
@@ -131,7 +132,7 @@ double search_line(Workshop& shop, const LocalStar& star, const Vec3& direction,
   double best = worst;
   const auto at = [&](double s) {
     const double value =
-        dear ? star_shape(shop, star, wish(s), best) : probe(shop, star, from, wish(s), best, trial);
+        dear ? star_shape(star, wish(s), best) : probe(shop, star, from, wish(s), best, trial);
     if (value <= best) return false;
     best = value;
     if (!dear) stand = trial;
@@ -190,7 +191,7 @@ double worst_quality(const WorkMesh& mesh, const std::vector<TetId>& tets) {
 }
 
 /// Adds the volumes of the star to its regions', with the sign given: before a move -1, after it +1.
-void add_volumes(const WorkMesh& mesh, const std::vector<TetId>& tets, double sign,
+void add_volumes(const WorkMesh& mesh, std::span<const TetId> tets, double sign,
                  std::vector<VolumeChange>& changes) {
   for (const TetId t : tets) {
     const double volume =
@@ -202,11 +203,14 @@ void add_volumes(const WorkMesh& mesh, const std::vector<TetId>& tets, double si
   }
 }
 
-/// Moves the vertex to where it may stand; false, and nothing changed, when the exact checks refuse.
-bool commit_move(Workshop& shop, VertexId v, const LocalStar& star, const std::vector<TetId>& tets,
-                 const Stand& stand) {
-  const bool curved =
-      std::any_of(star.faces.begin(), star.faces.end(), [&](int face) { return !shop.guard.planar(face); });
+bool on_curved_faces(const Workshop& shop, const LocalStar& star) {
+  return std::any_of(star.faces.begin(), star.faces.end(),
+                     [&](int face) { return !shop.guard.planar(face); });
+}
+
+}  // namespace
+
+bool commit_move(Workshop& shop, VertexId v, std::span<const TetId> tets, bool curved, const Stand& stand) {
   const Vec3 before = shop.mesh.points[v];
   std::vector<VolumeChange> changes;
   if (curved) add_volumes(shop.mesh, tets, -1.0, changes);
@@ -220,20 +224,18 @@ bool commit_move(Workshop& shop, VertexId v, const LocalStar& star, const std::v
     shop.guard.take(changes);
   }
   record_stand(shop, v, stand);
-  shop.made = tets;
+  shop.made.assign(tets.begin(), tets.end());
   ++shop.report.smoothed;
   return true;
 }
 
 bool may_move(const WorkMesh& mesh, VertexId v) { return mesh.on[v].dim > 0 && !mesh.frozen[v]; }
 
-}  // namespace
-
-double raise_worst(Workshop& shop, const LocalStar& star, Stand& stand, double worst, double goal) {
+double raise_worst(const Workshop& shop, LocalStar& star, Stand& stand, double worst, double goal) {
   std::vector<Vec3> gradients;
   double reach = 0.3 * star.length;
   for (int i = 0; i < kLineSearches && worst < goal; ++i) {
-    active_gradients(shop, star, stand.point, worst, gradients);
+    active_gradients(star, stand.point, worst, gradients);
     if (gradients.empty()) break;
     constrain(shop, star, stand, gradients);
     const Vec3 direction = steepest_common_ascent(gradients);
@@ -254,7 +256,7 @@ bool smooth_vertex(Workshop& shop, VertexId v, double goal) {
   star(shop.mesh, v, tets);
   const double before = worst_quality(shop.mesh, tets);
   if (before >= goal) return false;
-  const LocalStar local = local_star(shop, v, tets);
+  LocalStar local = local_star(shop, v, tets);
   Stand stand = current_stand(shop, v, local);
   double worst = before;
   Stand average;
@@ -264,23 +266,8 @@ bool smooth_vertex(Workshop& shop, VertexId v, double goal) {
     stand = average;
   }
   worst = raise_worst(shop, local, stand, worst, goal);
-  return worst > better_than(before) && commit_move(shop, v, local, tets, stand);
-}
-
-bool laplacian_step(Workshop& shop, VertexId v) {
-  if (!may_move(shop.mesh, v)) return false;
-  std::vector<TetId> tets;
-  star(shop.mesh, v, tets);
-  const double before = worst_quality(shop.mesh, tets);
-  const LocalStar local = local_star(shop, v, tets);
-  const Stand from = current_stand(shop, v, local);
-  const Vec3 way = neighbour_average(local) - from.point;
-  Stand stand;
-  for (const double share : {1.0, 0.5, 0.25}) {
-    if (probe(shop, local, from, from.point + share * way, better_than(before), stand) < 0.0) continue;
-    return commit_move(shop, v, local, tets, stand);
-  }
-  return false;
+  shop.work += local.work;
+  return worst > better_than(before) && commit_move(shop, v, tets, on_curved_faces(shop, local), stand);
 }
 
 }  // namespace octet

@@ -6,17 +6,25 @@
 
 namespace octet {
 
+/// Whether the vertex may move at all.
+[[nodiscard]] bool may_move(const WorkMesh& mesh, VertexId v);
+
+/// Shape with the vertex at `wish`, brought onto its entity (`stand`); -1 where it cannot stand or is not
+/// above `floor`.
+[[nodiscard]] double probe(const Workshop& shop, LocalStar& star, const Stand& from, const Vec3& wish,
+                           double floor, Stand& stand);
+
+/// Moves the vertex to where it may stand; false, and nothing changed, when the exact checks refuse.
+/// `curved` when triangles at the vertex lie on curved faces.
+bool commit_move(Workshop& shop, VertexId v, std::span<const TetId> star, bool curved, const Stand& stand);
+
 /// Improves the smallest shape of the star, which is `worst` at `stand`, towards `goal` by moving the vertex
 /// along directions that raise all of the nearly worst dihedral angles, with a golden section search on each
 /// line [Handbook 15.6.1]. Returns the shape reached (>= worst), `stand` where.
-double raise_worst(Workshop& shop, const LocalStar& star, Stand& stand, double worst, double goal);
+double raise_worst(const Workshop& shop, LocalStar& star, Stand& stand, double worst, double goal);
 
-/// Moves the vertex so that the worst of its tetrahedra gets better than before by kGain; aims at `goal`.
-/// False when it stays.
+/// The constrained Laplacian, then raise_worst: moves the vertex so that the worst of its tetrahedra gets
+/// better than before by kGain; aims at `goal`. False when it stays.
 bool smooth_vertex(Workshop& shop, VertexId v, double goal);
-
-/// The constrained Laplacian alone: the average of the neighbours on the vertex's own entity, or the first of
-/// the points on the way there that betters the worst tetrahedron [Handbook 15.6.1].
-bool laplacian_step(Workshop& shop, VertexId v);
 
 }  // namespace octet

@@ -26,7 +26,7 @@ ModelRef edge_entity(const WorkMesh& mesh, const EdgeRing& ring) {
 }
 
 /// The star that the new vertex would have, and the fit of the triangles it replaces.
-LocalStar future_star(Workshop& shop, const EdgeRing& ring, ModelRef on) {
+LocalStar future_star(const Workshop& shop, const EdgeRing& ring, ModelRef on) {
   const WorkMesh& mesh = shop.mesh;
   LocalStar star;
   star.on = on;
@@ -56,7 +56,7 @@ LocalStar future_star(Workshop& shop, const EdgeRing& ring, ModelRef on) {
 }
 
 /// How the new vertex would stand if it were where an end of the edge is: seeds for the projections.
-Stand seeds_of(Workshop& shop, const EdgeRing& ring, const LocalStar& star, const Vec3& middle) {
+Stand seeds_of(const Workshop& shop, const EdgeRing& ring, const LocalStar& star, const Vec3& middle) {
   Stand from;
   if (star.on.dim == 1) from.t = shop.model.edge_closest(star.on.tag, middle).t;
   for (const int face : star.faces) {
@@ -132,14 +132,12 @@ bool split_edge(Workshop& shop, TetId t, VertexId a, VertexId b, double floor) {
   edge_ring(shop.mesh, t, a, b, ring);
   const ModelRef on = edge_entity(shop.mesh, ring);
   if (!on.valid()) return false;
-  const LocalStar star = future_star(shop, ring, on);
+  LocalStar star = future_star(shop, ring, on);
   const Stand from = seeds_of(shop, ring, star, middle);
   Stand stand;
-  if (!take_stand(shop, star, from, middle, stand)) return false;
-  const double halved = star_shape(shop, star, stand.point, 0.0);
-  if (halved <= 0.0 || !take_seats(shop, star, from, stand) || !triangles_fit(shop, star, stand))
-    return false;
-  const double worst = raise_worst(shop, star, stand, halved, 2.0 * floor);
+  double worst = probe(shop, star, from, middle, 0.0, stand);
+  if (worst > 0.0) worst = raise_worst(shop, star, stand, worst, 2.0 * floor);
+  shop.work += star.work;
   return worst > floor && commit_split(shop, ring, star, stand);
 }
 

@@ -91,7 +91,7 @@ void freeze_pinched(WorkMesh& work) {
 }
 
 /// kEvenRest[i][j]: the other two corners k, l such that (i, j, k, l) is an even permutation.
-constexpr std::array<std::array<std::array<int, 2>, 4>, 4> even_rest() {
+constexpr std::array<std::array<std::array<int, 2>, 4>, 4> even_rests() {
   std::array<std::array<std::array<int, 2>, 4>, 4> table{};
   for (int i = 0; i < 4; ++i) {
     for (int j = 0; j < 4; ++j) {
@@ -109,7 +109,12 @@ constexpr std::array<std::array<std::array<int, 2>, 4>, 4> even_rest() {
   }
   return table;
 }
-constexpr auto kEvenRest = even_rest();
+constexpr auto kEvenRest = even_rests();
+
+/// The corners of t besides a and b, such that (a, b, they) is positive.
+const std::array<int, 2>& even_rest(const WorkMesh& mesh, TetId t, VertexId a, VertexId b) {
+  return kEvenRest[corner_of(mesh, t, a)][corner_of(mesh, t, b)];
+}
 
 }  // namespace
 
@@ -215,11 +220,6 @@ Mesh to_mesh(const WorkMesh& work) {
   return mesh;
 }
 
-int corner_of(const WorkMesh& mesh, TetId t, VertexId v) {
-  const auto& c = mesh.tets[t];
-  return c[0] == v ? 0 : c[1] == v ? 1 : c[2] == v ? 2 : c[3] == v ? 3 : -1;
-}
-
 void star(WorkMesh& mesh, VertexId v, std::vector<TetId>& tets) {
   tets.clear();
   const std::uint32_t epoch = ++mesh.epoch;
@@ -246,38 +246,53 @@ TetId tet_with_edge(WorkMesh& mesh, VertexId a, VertexId b) {
   return TetId();
 }
 
+bool is_first_of_ring(const WorkMesh& mesh, TetId t, VertexId a, VertexId b) {
+  for (const int side : {0, 1}) {
+    // Around from t, one way; the other way only from the outer boundary on.
+    TetId s = t;
+    do {
+      s = mesh.neighbours[s][even_rest(mesh, s, a, b)[side]];
+      if (!s.valid()) break;
+      if (s < t) return false;
+    } while (s != t);
+    if (s == t) return true;
+  }
+  return true;
+}
+
 void edge_ring(const WorkMesh& mesh, TetId t, VertexId a, VertexId b, EdgeRing& ring) {
   ring.a = a;
   ring.b = b;
-  ring.tets.clear();
-  ring.rim.clear();
-  ring.face_on.clear();
-  const auto rest = [&](TetId s) { return kEvenRest[corner_of(mesh, s, a)][corner_of(mesh, s, b)]; };
-  // Backwards to the outer boundary, or around.
+  ring.closed = true;
   TetId first = t;
-  ring.closed = false;
+  // Forwards until it closes; where it does not, again from the outer boundary.
   while (true) {
-    const TetId previous = mesh.neighbours[first][rest(first)[1]];
-    if (!previous.valid()) break;
-    first = previous;
-    if (first == t) {
-      ring.closed = true;
-      break;
+    ring.tets.clear();
+    ring.rim.clear();
+    ring.face_on.clear();
+    for (TetId s = first;;) {
+      const auto [c, d] = even_rest(mesh, s, a, b);
+      ring.tets.push_back(s);
+      ring.rim.push_back(mesh.tets[s][c]);
+      ring.face_on.push_back(mesh.face_on[s][d]);
+      const TetId next = mesh.neighbours[s][c];
+      if (next == first) return;
+      if (!next.valid()) {
+        ring.rim.push_back(mesh.tets[s][d]);
+        ring.face_on.push_back(mesh.face_on[s][c]);
+        break;
+      }
+      s = next;
     }
-  }
-  for (TetId s = first;;) {
-    const auto [c, d] = rest(s);
-    ring.tets.push_back(s);
-    ring.rim.push_back(mesh.tets[s][c]);
-    ring.face_on.push_back(mesh.face_on[s][d]);
-    const TetId next = mesh.neighbours[s][c];
-    if (!next.valid()) {
-      ring.rim.push_back(mesh.tets[s][d]);
-      ring.face_on.push_back(mesh.face_on[s][c]);
-      break;
+    if (!ring.closed) return;
+    ring.closed = false;
+    const TetId start = first;
+    while (true) {
+      const TetId previous = mesh.neighbours[first][even_rest(mesh, first, a, b)[1]];
+      if (!previous.valid()) break;
+      first = previous;
     }
-    if (next == first) break;
-    s = next;
+    if (first == start) return;
   }
 }
 

@@ -77,7 +77,10 @@ void remove_piece(WorkMesh& mesh, VertexId a, VertexId b);
 [[nodiscard]] Mesh to_mesh(const WorkMesh& work);
 
 /// Local number of the vertex in the tetrahedron, -1 when it is not there.
-[[nodiscard]] int corner_of(const WorkMesh& mesh, TetId t, VertexId v);
+[[nodiscard]] inline int corner_of(const WorkMesh& mesh, TetId t, VertexId v) {
+  const auto& c = mesh.tets[t];
+  return c[0] == v ? 0 : c[1] == v ? 1 : c[2] == v ? 2 : c[3] == v ? 3 : -1;
+}
 
 /// All tetrahedra at the vertex (cleared first), in the order of the walk from tet_of[v].
 void star(WorkMesh& mesh, VertexId v, std::vector<TetId>& tets);
@@ -103,6 +106,9 @@ struct EdgeRing {
 
 /// Fills `ring` from a tetrahedron that holds both ends.
 void edge_ring(const WorkMesh& mesh, TetId t, VertexId a, VertexId b, EdgeRing& ring);
+
+/// Whether t has the least number of the tetrahedra around edge ab.
+[[nodiscard]] bool is_first_of_ring(const WorkMesh& mesh, TetId t, VertexId a, VertexId b);
 
 /// Empty when the invariants hold, else the first that does not. For tests.
 [[nodiscard]] std::string check_work_mesh(const WorkMesh& mesh);

@@ -260,6 +260,26 @@ TEST(Finalize, GivesTheSameMeshTwice) {
   EXPECT_EQ(meshes[0].edges, meshes[1].edges);
 }
 
+TEST(Finalize, OnItsOwnOutputMakesNothingWorseAndHasLittleToDo) {
+  for (const bool ball : {true, false}) {
+    Part part = ball ? testing::ball_part(8) : testing::box_part({1, 1.2, 0.8}, 8, 8, 7, true);
+    testing::Dice dice(6);
+    testing::jitter(part.mesh, part.model, 0.08, dice);
+    const double size = ball ? 0.25 : 0.13;
+    const FinalizeReport first = finalize_and_check(part, size);
+    const QualitySummary once = quality_summary(part.mesh);
+    const FinalizeReport second = finalize_and_check(part, size);
+    const QualitySummary twice = quality_summary(part.mesh);
+    EXPECT_GE(twice.min_dihedral, once.min_dihedral);
+    EXPECT_GE(twice.p1_min_dihedral, once.p1_min_dihedral - 0.5 * kDegree);
+    EXPECT_GE(twice.mean_mean_ratio, once.mean_mean_ratio);
+    const auto swaps = [](const FinalizeReport& r) {
+      return r.edge_removals + r.face_swaps + r.collapses + r.splits;
+    };
+    EXPECT_LT(4 * swaps(second), swaps(first));
+  }
+}
+
 TEST(Finalize, EndsWhenTheObserverAsks) {
   struct Stop : Observer {
     [[nodiscard]] bool cancelled() const override { return true; }

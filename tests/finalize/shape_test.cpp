@@ -12,7 +12,7 @@
 namespace octet {
 namespace {
 
-TEST(Shape, IsTheSquaredSineOfTheSmallestOrLargestDihedral) {
+TEST(Shape, IsTheSquaredSineOfTheWorstDihedralOrTheWeightedCubeOfTheMeanRatio) {
   testing::Dice dice(7);
   const auto random = [&] {
     const double x = dice.roll(), y = dice.roll(), z = dice.roll();
@@ -25,13 +25,14 @@ TEST(Shape, IsTheSquaredSineOfTheSmallestOrLargestDihedral) {
     if (signed_volume(a, b, c, d) < 1e-4) continue;
     const DihedralRange range = dihedral_range(a, b, c, d);
     const double s = std::min(std::sin(range.smallest), std::sin(range.largest));
-    EXPECT_NEAR(shape(a, b, c, d), s * s, 1e-9);
+    const double ratio = mean_ratio(a, b, c, d);
+    EXPECT_NEAR(shape(a, b, c, d), std::min(s * s, kRatioWeight * ratio * ratio * ratio), 1e-9);
   }
 }
 
 TEST(Shape, OfTheRegularTetrahedronIsEightNinths) {
-  const Vec3 a(1, 1, 1), b(1, -1, -1), c(-1, 1, -1), d(-1, -1, 1);
-  EXPECT_NEAR(std::abs(shape(a, b, c, d)), 8.0 / 9.0, 1e-14);
+  const Vec3 a(1, 1, 1), b(-1, 1, -1), c(1, -1, -1), d(-1, -1, 1);
+  EXPECT_NEAR(shape(a, b, c, d), 8.0 / 9.0, 1e-14);
 }
 
 TEST(Shape, ChangesSignWithTheOrientationAndIsZeroWhenFlat) {
@@ -41,9 +42,17 @@ TEST(Shape, ChangesSignWithTheOrientationAndIsZeroWhenFlat) {
   EXPECT_EQ(shape(a, b, c, Vec3(0.5, 0.25, 0.0)), 0.0);
 }
 
+TEST(Shape, OfANeedleIsBadThoughItsAnglesAreGood) {
+  const Vec3 a(0, 0, 0), b(0.1, 0, 0), c(0.05, 0.0866, 0), d(0.05, 0.0289, 3);
+  const DihedralRange range = dihedral_range(a, b, c, d);
+  EXPECT_GT(range.smallest, 0.9);
+  EXPECT_LT(range.largest, 1.7);
+  EXPECT_LT(shape(a, b, c, d), 0.05);
+}
+
 TEST(Shape, ListsSinesInTheOrderOfTheEdges) {
   const Vec3 p[4] = {{0, 0, 0}, {1, 0.1, 0}, {0.2, 1, 0.1}, {0.3, 0.3, 0.4}};
-  const auto squares = squared_sines(p[0], p[1], p[2], p[3]);
+  const auto squares = merits_of_shape(p[0], p[1], p[2], p[3]);
   for (int e = 0; e < 6; ++e) {
     const Vec3 &a = p[kTetEdge[e][0]], &b = p[kTetEdge[e][1]];
     const Vec3 &c = p[kTetEdge[5 - e][0]], &d = p[kTetEdge[5 - e][1]];

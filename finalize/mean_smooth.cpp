@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Node repositioning for the mean: the sum of the distortions of a star is brought to its minimum.
+#include "finalize/mean_smooth.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "finalize/mean_shape.h"
+#include "finalize/smooth.h"
+
+namespace octet {
+namespace {
+
+/// Steps below this share of the mean edge are not worth a move.
+constexpr double kLeastStep = 0.004;
+/// Steps are no longer than this share of the mean edge.
+constexpr double kLongestStep = 0.5;
+
+/// Rounding may not stop a vertex whose worst tetrahedron stays as it is.
+constexpr double kNotWorse = 0.9999;
+
+double total(const LocalStar& star, const Vec3& p) {
+  double sum = 0.0;
+  for (const auto& base : star.bases) sum += distortion(base[0], base[1], base[2], p);
+  return sum;
+}
+
+/// The Newton step within what the entity leaves free: space, the tangent plane, the tangent.
+Vec3 newton_step(const Workshop& shop, const LocalStar& star, const Stand& stand, const Distortion& sum) {
+  const Mat3 hessian = sum.hessian.selfadjointView<Eigen::Upper>();
+  if (star.on.dim == 3) return -hessian.inverse() * sum.gradient;
+  if (star.on.dim == 1) {
+    const Vec3 t = shop.model.edge_derivative(star.on.tag, stand.t).normalized();
+    return -t.dot(sum.gradient) / t.dot(hessian * t) * t;
+  }
+  const Vec3 normal = shop.guard.planar(star.on.tag) ? star.normals[0][0] : stand.seats[0].second.normal;
+  Eigen::Matrix<double, 3, 2> plane;
+  plane.col(0) = normal.unitOrthogonal();
+  plane.col(1) = normal.cross(plane.col(0));
+  const Eigen::Matrix2d flat = plane.transpose() * hessian * plane;
+  return -plane * (flat.inverse() * (plane.transpose() * sum.gradient));
+}
+
+}  // namespace
+
+MeanMove mean_move(const Workshop& shop, VertexId v, std::span<const TetId> tets, double floor) {
+  MeanMove move;
+  if (!may_move(shop.mesh, v)) return move;
+  double worst = 1.0;
+  for (const TetId t : tets) worst = std::min(worst, shop.mesh.quality[t]);
+  LocalStar local = local_star(shop, v, tets);
+  const Stand from = current_stand(shop, v, local);
+  Distortion sum;
+  move.work = 3 * local.bases.size();
+  for (const auto& base : local.bases) {
+    if (!add_distortion(base[0], base[1], base[2], from.point, sum)) return move;
+  }
+  Vec3 step = newton_step(shop, local, from, sum);
+  const double length = step.norm() / local.length;
+  if (!(length > kLeastStep)) return move;
+  if (length > kLongestStep) step *= kLongestStep / length;
+  floor = std::min(floor, kNotWorse * worst);
+  for (const double share : {1.0, 0.5, 0.25}) {
+    const Vec3 wish = from.point + share * step;
+    move.work += local.bases.size();
+    if (total(local, wish) >= sum.value || probe(shop, local, from, wish, floor, move.stand) < 0.0) continue;
+    move.step = share * std::min(length, kLongestStep);
+    move.curved = std::any_of(local.faces.begin(), local.faces.end(),
+                              [&](int face) { return !shop.guard.planar(face); });
+    break;
+  }
+  move.work += local.work;
+  return move;
+}
+
+}  // namespace octet

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The passes that raise the mean: sweeps of smoothing and of swaps over all but the lattice's own tetrahedra.
+#include "finalize/relax.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+#include "finalize/cavity.h"
+#include "finalize/edge_removal.h"
+#include "finalize/face_swap.h"
+#include "finalize/mean_smooth.h"
+#include "finalize/smooth.h"
+
+namespace octet {
+namespace {
+
+/// Tetrahedra of better shape than this (54.3 degrees) are left alone: those of the lattice have 54.7.
+constexpr double kGoodEnough = 0.66;
+/// What a vertex's move of this share of an edge disturbs is smoothed again in the next sweep.
+constexpr double kDisturbs = 0.02;
+
+/// The tetrahedra at each vertex, for the while that topology stays as it is.
+class Stars {
+ public:
+  explicit Stars(const WorkMesh& mesh) : start_(mesh.points.size() + 1, 0) {
+    for_each(mesh, [&](std::size_t v, TetId) { ++start_[v + 1]; });
+    for (std::size_t v = 1; v < start_.size(); ++v) start_[v] += start_[v - 1];
+    tets_.resize(start_.back());
+    std::vector<std::size_t> next(start_.begin(), start_.end() - 1);
+    for_each(mesh, [&](std::size_t v, TetId t) { tets_[next[v]++] = t; });
+  }
+  [[nodiscard]] std::span<const TetId> of(VertexId v) const {
+    return {tets_.data() + start_[v.index()], tets_.data() + start_[v.index() + 1]};
+  }
+
+ private:
+  template <class Visit>
+  static void for_each(const WorkMesh& mesh, const Visit& visit) {
+    for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
+      if (!mesh.alive(TetId(i))) continue;
+      for (const VertexId v : mesh.tets[TetId(i)]) visit(v.index(), TetId(i));
+    }
+  }
+  std::vector<std::size_t> start_;
+  std::vector<TetId> tets_;
+};
+
+std::vector<VertexId> vertices_to_relax(const WorkMesh& mesh) {
+  std::vector<char> wanted(mesh.points.size(), 0);
+  for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
+    const TetId t(i);
+    if (!mesh.alive(t) || mesh.quality[t] >= kGoodEnough) continue;
+    for (const VertexId v : mesh.tets[t]) wanted[v.index()] = 1;
+  }
+  std::vector<VertexId> vertices;
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    if (wanted[i] && may_move(mesh, VertexId(i))) vertices.emplace_back(i);
+  }
+  return vertices;
+}
+
+/// Lists of vertices such that no two of a list share a tetrahedron: each takes, in the order of the numbers,
+/// the first list that no neighbour is in.
+std::vector<std::vector<VertexId>> coloured(const WorkMesh& mesh, const Stars& stars,
+                                            const std::vector<VertexId>& vertices) {
+  constexpr std::uint32_t kNone = 0xffffffffu;
+  std::vector<std::vector<VertexId>> lists;
+  std::vector<std::uint32_t> colour(mesh.points.size(), kNone);
+  std::vector<VertexId> taken_by;  // per list: the last vertex that found it taken
+  for (const VertexId v : vertices) {
+    for (const TetId t : stars.of(v)) {
+      for (const VertexId w : mesh.tets[t]) {
+        if (colour[w.index()] != kNone) taken_by[colour[w.index()]] = v;
+      }
+    }
+    const auto first = std::find_if(taken_by.begin(), taken_by.end(), [&](VertexId by) { return by != v; });
+    const std::size_t list = static_cast<std::size_t>(first - taken_by.begin());
+    if (list == lists.size()) {
+      lists.emplace_back();
+      taken_by.emplace_back();
+    }
+    lists[list].push_back(v);
+    colour[v.index()] = static_cast<std::uint32_t>(list);
+  }
+  return lists;
+}
+
+/// Moves the vertices of one list; those on or beside curved faces one after the other, for they share the
+/// account of the volumes. Marks in `disturbed` what is to be smoothed again.
+void relax_list(Workshop& shop, const Stars& stars, const std::vector<VertexId>& list, double floor,
+                std::vector<char>& disturbed) {
+  std::vector<MeanMove> moves(list.size());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, list.size(), 16), [&](const auto& range) {
+    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+      MeanMove& move = moves[i];
+      move = mean_move(shop, list[i], stars.of(list[i]), floor);
+      if (move.step == 0.0 || move.curved) continue;
+      if (!move_vertex(shop.mesh, list[i], move.stand.point, stars.of(list[i]))) move.step = 0.0;
+    }
+  });
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const MeanMove& move = moves[i];
+    shop.work += move.work;
+    if (move.step == 0.0) continue;
+    if (move.curved) {
+      if (!commit_move(shop, list[i], stars.of(list[i]), true, move.stand)) continue;
+    } else {
+      record_stand(shop, list[i], move.stand);
+      ++shop.report.smoothed;
+    }
+    if (move.step < kDisturbs) continue;
+    for (const TetId t : stars.of(list[i])) {
+      for (const VertexId w : shop.mesh.tets[t]) disturbed[w.index()] = 1;
+    }
+  }
+}
+
+/// Whether an edge or face of t can be swapped for the mean, judged by the shapes alone. Each edge and face
+/// is asked about by the first of its tetrahedra.
+bool may_swap(const Workshop& shop, TetId t, double floor, EdgeRing& ring) {
+  const WorkMesh& mesh = shop.mesh;
+  const auto& v = mesh.tets[t];
+  for (const auto& e : kTetEdge) {
+    if (!is_first_of_ring(mesh, t, v[e[0]], v[e[1]])) continue;
+    edge_ring(mesh, t, v[e[0]], v[e[1]], ring);
+    if (edge_removal_raises_mean(shop, ring, floor)) return true;
+  }
+  for (int f = 0; f < 4; ++f) {
+    if (mesh.neighbours[t][f] > t && face_swap_raises_mean(shop, t, f, floor)) return true;
+  }
+  return false;
+}
+
+bool swap_something(Workshop& shop, TetId t, double floor, EdgeRing& ring) {
+  const auto v = shop.mesh.tets[t];
+  for (const auto& e : kTetEdge) {
+    edge_ring(shop.mesh, t, v[e[0]], v[e[1]], ring);
+    if (remove_edge_for_mean(shop, ring, floor)) return true;
+  }
+  for (int f = 0; f < 4; ++f) {
+    if (swap_face_for_mean(shop, t, f, floor)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+void relax_for_mean(Workshop& shop, double floor, int sweeps) {
+  const Stars stars(shop.mesh);
+  const auto lists = coloured(shop.mesh, stars, vertices_to_relax(shop.mesh));
+  std::vector<char> active(shop.mesh.points.size(), 1), disturbed(active.size(), 0);
+  std::vector<VertexId> list;
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    std::fill(disturbed.begin(), disturbed.end(), 0);
+    for (const auto& all : lists) {
+      list.clear();
+      std::copy_if(all.begin(), all.end(), std::back_inserter(list),
+                   [&](VertexId v) { return active[v.index()] != 0; });
+      relax_list(shop, stars, list, floor, disturbed);
+    }
+    active.swap(disturbed);
+  }
+}
+
+void swap_for_mean(Workshop& shop, double floor) {
+  WorkMesh& mesh = shop.mesh;
+  std::vector<char> wanted(mesh.tets.size(), 0);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mesh.tets.size(), 64), [&](const auto& range) {
+    EdgeRing ring;
+    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+      const TetId t(i);
+      wanted[i] = mesh.alive(t) && mesh.quality[t] < kGoodEnough && may_swap(shop, t, floor, ring);
+    }
+  });
+  std::vector<TetId> queue;
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    if (wanted[i]) queue.emplace_back(i);
+  }
+  EdgeRing ring;
+  for (std::size_t i = 0; i < queue.size(); ++i) {
+    if (!mesh.alive(queue[i]) || !swap_something(shop, queue[i], floor, ring)) continue;
+    for (const TetId made : shop.made) {
+      if (mesh.quality[made] < kGoodEnough) queue.push_back(made);
+    }
+  }
+}
+
+}  // namespace octet
