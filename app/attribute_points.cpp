@@ -93,7 +93,7 @@ class AttributeLoop {
 
   void close(const Gap& gap) {
     if (gap.piece != UINT32_MAX) {
-      if (!is_split(gap)) split(gap.piece);
+      if (!is_split(gap) && !(gap.kind == GapKind::kEdgeFan && close_beside(gap.piece))) split(gap.piece);
       return;
     }
     if (gap.kind == GapKind::kBareVertex) {
@@ -101,7 +101,7 @@ class AttributeLoop {
       return;
     }
     if (changed(gap.tet) || changed(mesh().neighbours[gap.tet][gap.local])) return;
-    const auto point = facet_point(model_, mesh(), gap.tet, gap.local, limits_.floor);
+    const auto point = facet_point(model_, mesh(), on_, gap.tet, gap.local, limits_.floor);
     if (!point) {
       ++result_.rejected;
       return;
@@ -110,6 +110,27 @@ class AttributeLoop {
       split_at(point->on.tag, point->t);
     else
       insert_on_face(*point, gap.tet);
+  }
+
+  /// A tetrahedron at the piece that reaches through a sheet without points takes the facets from the piece:
+  /// the sheet gets a point, the piece stays whole.
+  bool close_beside(std::uint32_t piece) {
+    const VertexId a(chains_[piece].a), b(chains_[piece].b);
+    std::vector<TetId> star;
+    triangulation_.star(a, star);
+    std::optional<AttributePoint> best;
+    TetId at;
+    for (const TetId t : star) {
+      const auto& v = mesh().tets[t];
+      if (changed(t)) return true;  // what the piece lacks may have come in this round
+      if (std::find(v.begin(), v.end(), b) == v.end()) continue;
+      const auto point = reach_point(model_, mesh(), on_, t, limits_.floor);
+      if (!point || (best && point->clearance <= best->clearance)) continue;
+      best = point;
+      at = t;
+    }
+    if (best) insert_on_face(*best, at);
+    return best.has_value();
   }
 
   /// Whether another gap of this round has split the piece already.

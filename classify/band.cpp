@@ -112,7 +112,7 @@ void Band::update(const TetMesh& mesh, std::span<const ModelRef> on, std::span<c
         const Circumcentre c =
             circumcentre(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], mesh.points[v[3]]);
         is_flat[i] = !c.reliable;
-        region_[t] = c.reliable ? region_of_(c.point) : kUnknown;
+        if (c.reliable) region_[t] = region_of_(place_of(mesh, on, t, c.point));
       }
     }
   });
@@ -123,6 +123,30 @@ void Band::update(const TetMesh& mesh, std::span<const ModelRef> on, std::span<c
     forget_facets(mesh, created[i]);
   }
   label_flat(mesh, flat);
+}
+
+/// Where a tetrahedron of boundary points is asked for its region: at its circumcentre, or, where it spans a
+/// wall or gap far thinner than itself, in the middle of the edge across. On a thin curved sheet the
+/// circumcentre lies by its sagitta beyond the sheet, so that a shell thinner than that would vanish.
+Vec3 Band::place_of(const TetMesh& mesh, std::span<const ModelRef> on, TetId t, const Vec3& centre) const {
+  constexpr double kThin = 0.25;  // of the circumradius
+  const auto& v = mesh.tets[t];
+  double shortest = kThin * kThin * (mesh.points[v[0]] - centre).squaredNorm();
+  Vec3 place = centre;
+  for (const auto& e : kTetEdge) {
+    const VertexId a = v[e[0]], b = v[e[1]];
+    const double length = (mesh.points[a] - mesh.points[b]).squaredNorm();
+    if (length >= shortest || share_a_face(on[a.index()], on[b.index()])) continue;
+    shortest = length;
+    place = 0.5 * (mesh.points[a] + mesh.points[b]);
+  }
+  return place;
+}
+
+bool Band::share_a_face(ModelRef a, ModelRef b) const {
+  const std::vector<int>&first = faces_of(a), &second = faces_of(b);
+  return std::any_of(first.begin(), first.end(),
+                     [&](int f) { return std::binary_search(second.begin(), second.end(), f); });
 }
 
 void Band::forget_facets(const TetMesh& mesh, TetId t) {

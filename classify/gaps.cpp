@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "classify/dual_crossings.h"
+#include "mesh/circumcentre.h"
 
 namespace octet {
 namespace {
@@ -289,8 +290,30 @@ AttributePoint split_point(const Model& model, const TetMesh& mesh, std::span<co
   return p;
 }
 
-std::optional<AttributePoint> facet_point(const Model& model, const TetMesh& mesh, TetId tet, int local,
-                                          double floor) {
+namespace {
+
+/// Adds what parts the circumcentre of a tetrahedron from its octree vertices: a thin sheet without points lets
+/// a tetrahedron reach through it from the far side.
+void meet_towards_octree_vertices(const Model& model, const TetMesh& mesh, std::span<const ModelRef> on,
+                                  TetId tet, std::vector<Hit>& hits) {
+  if (mesh.ghost(tet)) return;
+  const auto& corners = mesh.tets[tet];
+  const Circumcentre c = circumcentre(mesh.points[corners[0]], mesh.points[corners[1]],
+                                      mesh.points[corners[2]], mesh.points[corners[3]]);
+  if (!c.reliable) return;
+  std::vector<Hit> between;
+  for (const VertexId v : corners) {
+    if (on[v.index()].dim != 3) continue;
+    between.clear();
+    model.intersect(c.point, mesh.points[v], between);
+    if (between.size() % 2 == 1) hits.insert(hits.end(), between.begin(), between.end());
+  }
+}
+
+}  // namespace
+
+std::optional<AttributePoint> facet_point(const Model& model, const TetMesh& mesh,
+                                          std::span<const ModelRef> on, TetId tet, int local, double floor) {
   const auto& v = mesh.tets[tet];
   const std::array<Vec3, 3> x{mesh.points[v[kTetFace[local][0]]], mesh.points[v[kTetFace[local][1]]],
                               mesh.points[v[kTetFace[local][2]]]};
@@ -300,6 +323,8 @@ std::optional<AttributePoint> facet_point(const Model& model, const TetMesh& mes
   const DualSegment dual = dual_segment(mesh, tet, local);
   std::vector<Hit> hits;
   model.intersect(dual.inner, dual.outer, hits);
+  meet_towards_octree_vertices(model, mesh, on, tet, hits);
+  meet_towards_octree_vertices(model, mesh, on, mesh.neighbours[tet][local], hits);
   std::optional<AttributePoint> best;
   const auto offer = [&](const Vec3& p, ModelRef on, const Vec3& n) {
     double clearance = std::numeric_limits<double>::infinity();
@@ -313,6 +338,22 @@ std::optional<AttributePoint> facet_point(const Model& model, const TetMesh& mes
   if (best) return best;
   if (const auto foot = model.closest(centroid, 4.0 * reach); foot && foot->on.dim >= 1)
     offer(foot->point, foot->on, foot->normal);
+  return best;
+}
+
+std::optional<AttributePoint> reach_point(const Model& model, const TetMesh& mesh,
+                                          std::span<const ModelRef> on, TetId tet, double floor) {
+  std::vector<Hit> hits;
+  meet_towards_octree_vertices(model, mesh, on, tet, hits);
+  std::optional<AttributePoint> best;
+  for (const Hit& hit : hits) {
+    if (hit.on.dim != 2) continue;
+    double clearance = std::numeric_limits<double>::infinity();
+    for (const VertexId v : mesh.tets[tet])
+      if (on[v.index()].dim < 3) clearance = std::min(clearance, (hit.point - mesh.points[v]).norm());
+    if (clearance < floor || (best && clearance <= best->clearance)) continue;
+    best = AttributePoint{hit.point, hit.on, 0.0, hit.normal, clearance};
+  }
   return best;
 }
 

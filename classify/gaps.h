@@ -51,10 +51,19 @@ struct AttributePoint {
 [[nodiscard]] AttributePoint split_point(const Model& model, const TetMesh& mesh,
                                          std::span<const ModelRef> on, const EdgePiece& piece);
 
-/// For a facet: the crossing of its dual segment with the boundary that is farthest from its vertices, or,
-/// when the segment has none, the foot of its centroid. None when all are closer than `floor` to a vertex.
-[[nodiscard]] std::optional<AttributePoint> facet_point(const Model& model, const TetMesh& mesh, TetId tet,
-                                                        int local, double floor);
+/// For a facet: the crossing of its dual segment with the boundary that is farthest from its vertices; the
+/// dual goes on from a circumcentre to the octree vertices of its tetrahedron, which say where that lies.
+/// When there is none, the foot of the facet's centroid. None when all are closer than `floor` to a vertex.
+[[nodiscard]] std::optional<AttributePoint> facet_point(const Model& model, const TetMesh& mesh,
+                                                        std::span<const ModelRef> on, TetId tet, int local,
+                                                        double floor);
+
+/// For a tetrahedron that lies where its octree vertices do although its circumcentre lies elsewhere: the
+/// crossing between them that is farthest from its other vertices. None when it has no such vertices or
+/// crossings, or all are closer than `floor` to a vertex.
+[[nodiscard]] std::optional<AttributePoint> reach_point(const Model& model, const TetMesh& mesh,
+                                                        std::span<const ModelRef> on, TetId tet,
+                                                        double floor);
 
 /// The gap in the user's terms.
 [[nodiscard]] Fault describe_gap(const Model& model, const Gap& gap);

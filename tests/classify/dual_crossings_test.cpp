@@ -61,8 +61,9 @@ TEST(DualCrossings, ASegmentThroughAVoidIsAGap) {
   EXPECT_EQ(gaps[0].kind, GapKind::kDualCrossing);
   EXPECT_EQ(gaps[0].entity, pair.on[0]);
   EXPECT_LT((gaps[0].place - Vec3(-1, 0, 0)).norm(), 1e-12);
-  // The point that would close it lies on the void, on its far side.
-  const auto point = facet_point(pair.model, pair.mesh, gaps[0].tet, gaps[0].local, 1e-6);
+  // The point that would close it lies on the void, on its far side: the apexes stand for boundary points.
+  const std::vector<ModelRef> boundary(pair.mesh.points.size(), pair.on[0]);
+  const auto point = facet_point(pair.model, pair.mesh, boundary, gaps[0].tet, gaps[0].local, 1e-6);
   ASSERT_TRUE(point.has_value());
   EXPECT_NEAR(point->point.x(), 0.2, 1e-9);
 }

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Thin, sharp, touching and crowded parts come out complete, however they are turned.
+#include <gtest/gtest.h>
+
+#include <tuple>
+
+#include "app/mesh_part.h"
+#include "geom/occt/from_shape.h"
+#include "tests/support/families.h"
+
+namespace octet {
+namespace {
+
+class Families : public testing::TestWithParam<std::tuple<test::FamilyPart, int>> {};
+
+TEST_P(Families, AreComplete) {
+  const auto& [part, turn] = GetParam();
+  const Model model = model_from_shape(test::turned(part.build(), turn));
+  MeshOptions options;
+  options.size = part.size;
+  options.threads = 1;
+  const MeshResult result = mesh_part(model, options);
+  for (const Fault& fault : result.report.faults)
+    ADD_FAILURE() << model.describe(fault.entity) << " at " << fault.place.transpose() << ": " << fault.cause;
+  EXPECT_EQ(result.report.status, MeshStatus::kComplete);
+  EXPECT_GT(result.report.tets, 0u);
+}
+
+INSTANTIATE_TEST_SUITE_P(AllTurns, Families,
+                         testing::Combine(testing::ValuesIn(test::family_parts()), testing::Values(0, 1, 2)),
+                         [](const auto& info) {
+                           return std::get<0>(info.param).name + "_turn_" +
+                                  std::to_string(std::get<1>(info.param));
+                         });
+
+}  // namespace
+}  // namespace octet

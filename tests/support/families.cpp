@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The families, in OCCT's words.
+#include "tests/support/families.h"
+
+#include <BRepAlgoAPI_Common.hxx>
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepBuilderAPI_Transform.hxx>
+#include <BRepFilletAPI_MakeFillet.hxx>
+#include <BRepLib.hxx>
+#include <BRepOffsetAPI_MakePipeShell.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRep_Builder.hxx>
+#include <Geom2d_Line.hxx>
+#include <Geom_CylindricalSurface.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
+#include <gp_Circ.hxx>
+#include <gp_Trsf.hxx>
+
+#include <cmath>
+#include <numbers>
+
+namespace octet::test {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+TopoDS_Shape box(double x, double y, double z, double dx, double dy, double dz) {
+  return BRepPrimAPI_MakeBox(gp_Pnt(x, y, z), dx, dy, dz).Shape();
+}
+
+TopoDS_Shape rod(const gp_Pnt& foot, const gp_Dir& along, double radius, double length) {
+  return BRepPrimAPI_MakeCylinder(gp_Ax2(foot, along), radius, length).Shape();
+}
+
+TopoDS_Shape ball(double x, double radius) { return BRepPrimAPI_MakeSphere(gp_Pnt(x, 0, 0), radius).Shape(); }
+
+TopoDS_Shape cut(const TopoDS_Shape& a, const TopoDS_Shape& b) { return BRepAlgoAPI_Cut(a, b).Shape(); }
+TopoDS_Shape fuse(const TopoDS_Shape& a, const TopoDS_Shape& b) { return BRepAlgoAPI_Fuse(a, b).Shape(); }
+
+TopoDS_Shape side_by_side(const TopoDS_Shape& a, const TopoDS_Shape& b) {
+  TopoDS_Compound both;
+  BRep_Builder builder;
+  builder.MakeCompound(both);
+  builder.Add(both, a);
+  builder.Add(both, b);
+  return both;
+}
+
+TopoDS_Shape plate(double thickness) { return box(0, 0, 0, 2.5, 1.7, thickness); }
+
+TopoDS_Shape wedge(double angle) {
+  BRepBuilderAPI_MakePolygon triangle(gp_Pnt(0, 0, 0), gp_Pnt(4, 0, 0),
+                                      gp_Pnt(4 * std::cos(angle), 4 * std::sin(angle), 0), true);
+  return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(triangle.Wire()).Shape(), gp_Vec(0, 0, 3)).Shape();
+}
+
+/// What two balls share whose surfaces meet at `angle` in a circle of radius 3.
+TopoDS_Shape lens(double angle) {
+  const double radius = 3.0 / std::sin(0.5 * angle), away = 3.0 / std::tan(0.5 * angle);
+  return BRepAlgoAPI_Common(ball(-away, radius), ball(away, radius)).Shape();
+}
+
+TopoDS_Shape tube(double wall) {
+  return cut(rod({0, 0, 0}, gp::DZ(), 1.2, 1.5), rod({0, 0, -1}, gp::DZ(), 1.2 - wall, 4));
+}
+
+/// A rod lying on a block and sunk into it by `depth`: two grooves with sharp bottoms.
+TopoDS_Shape sunk_rod(double depth) {
+  return fuse(box(0, 0, 0, 6, 5, 1), rod({1, 2.5, 2.5 - depth}, gp::DX(), 1.5, 4));
+}
+
+/// A rod with a hole along it whose wall is `wall` thick at its thinnest.
+TopoDS_Shape eccentric_hole(double wall) {
+  return cut(rod({0, 0, 0}, gp::DZ(), 2, 3), rod({1 - wall, 0, -1}, gp::DZ(), 1, 5));
+}
+
+TopoDS_Shape perforated(int rows, int columns) {
+  const gp_Pln plane(gp::XOY());
+  BRepBuilderAPI_MakePolygon rim(gp_Pnt(0, 0, 0), gp_Pnt(columns, 0, 0), gp_Pnt(columns, rows, 0),
+                                 gp_Pnt(0, rows, 0), true);
+  BRepBuilderAPI_MakeFace face(plane, rim.Wire());
+  for (int i = 0; i < columns; ++i)
+    for (int j = 0; j < rows; ++j) {
+      const gp_Circ circle(gp_Ax2(gp_Pnt(i + 0.5, j + 0.5, 0), gp::DZ()), 0.3);
+      face.Add(TopoDS::Wire(BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(circle)).Wire().Reversed()));
+    }
+  return BRepPrimAPI_MakePrism(face.Shape(), gp_Vec(0, 0, 0.5)).Shape();
+}
+
+TopoDS_Shape comb(int teeth, double tooth, double gap) {
+  TopoDS_Shape part = box(0, 0, 0, teeth * (tooth + gap), 2, 1);
+  for (int i = 0; i < teeth; ++i) part = cut(part, box(i * (tooth + gap) + tooth, 0.7, -1, gap, 3, 3));
+  return part;
+}
+
+/// A profile swept along a helix of radius 2.
+TopoDS_Shape helix(const TopoDS_Wire& profile, double pitch, double turns) {
+  const Handle(Geom_CylindricalSurface) cylinder = new Geom_CylindricalSurface(gp_Ax3(gp::XOY()), 2.0);
+  const double full = 2.0 * std::numbers::pi;
+  const Handle(Geom2d_Line) line = new Geom2d_Line(gp_Pnt2d(0, 0), gp_Dir2d(full, pitch));
+  TopoDS_Edge edge = BRepBuilderAPI_MakeEdge(line, cylinder, 0.0, turns * std::hypot(full, pitch)).Edge();
+  BRepLib::BuildCurves3d(edge);
+  BRepOffsetAPI_MakePipeShell sweep(BRepBuilderAPI_MakeWire(edge).Wire());
+  sweep.SetMode(gp::DZ());
+  sweep.Add(profile);
+  sweep.Build();
+  sweep.MakeSolid();
+  return sweep.Shape();
+}
+
+TopoDS_Shape spring() {
+  const gp_Circ circle(gp_Ax2(gp_Pnt(2, 0, 0), gp::DY()), 0.4);
+  return helix(BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(circle)).Wire(), 1.5, 1.5);
+}
+
+/// A sharp ridge in a helix: the tooth of a thread.
+TopoDS_Shape thread() {
+  BRepBuilderAPI_MakePolygon triangle(gp_Pnt(2, 0, -0.35), gp_Pnt(2, 0, 0.35), gp_Pnt(2.5, 0, 0), true);
+  return helix(triangle.Wire(), 0.8, 1.5);
+}
+
+TopoDS_Shape rounded_box(double radius) {
+  const TopoDS_Shape part = box(0, 0, 0, 2, 1.5, 1.2);
+  BRepFilletAPI_MakeFillet fillet(part);
+  for (TopExp_Explorer edge(part, TopAbs_EDGE); edge.More(); edge.Next())
+    fillet.Add(radius, TopoDS::Edge(edge.Current()));
+  return fillet.Shape();
+}
+
+}  // namespace
+
+std::vector<FamilyPart> family_parts() {
+  std::vector<FamilyPart> parts;
+  const auto add = [&](std::string name, std::function<TopoDS_Shape()> build) {
+    parts.push_back({std::move(name), 1.0, std::move(build)});
+  };
+  add("plate_1", [] { return plate(1); });
+  add("plate_0_1", [] { return plate(0.1); });
+  add("plate_0_01", [] { return plate(0.01); });
+  add("plate_0_001", [] { return plate(0.001); });
+  for (const double degrees : {30.0, 10.0, 5.0, 2.0, 1.0, 0.5})
+    add("wedge_" + std::to_string(static_cast<int>(10 * degrees)), [=] { return wedge(degrees * kDegree); });
+  for (const double degrees : {20.0, 5.0, 1.4})
+    add("lens_" + std::to_string(static_cast<int>(10 * degrees)), [=] { return lens(degrees * kDegree); });
+  add("tube_0_1", [] { return tube(0.1); });
+  add("tube_0_01", [] { return tube(0.01); });
+  add("hollow_ball_0_1", [] { return cut(ball(0, 3), ball(0, 2.9)); });
+  add("hollow_ball_0_01", [] { return cut(ball(0, 3), ball(0, 2.99)); });
+  add("sunk_rod_0_01", [] { return sunk_rod(0.01); });
+  add("cusp_1_4", [] { return sunk_rod(1.5 * (1.0 - std::cos(1.4 * kDegree))); });
+  add("eccentric_hole_0_01", [] { return eccentric_hole(0.01); });
+  add("tangent_rods", [] {
+    return side_by_side(rod({0, 0, 0}, gp::DZ(), 1.5, 3), rod({3, 0, 0}, gp::DZ(), 1.5, 3));
+  });
+  add("overlapping_rods", [] {
+    return fuse(rod({0, 0, 0}, gp::DZ(), 1.5, 3), rod({2.999, 0, 0}, gp::DZ(), 1.5, 3));
+  });
+  add("tangent_hole", [] { return eccentric_hole(0.0); });
+  add("perforated", [] { return perforated(8, 8); });
+  add("comb", [] { return comb(4, 0.1, 0.05); });
+  add("spring", [] { return spring(); });
+  add("thread", [] { return thread(); });
+  add("fillets_0_05", [] { return rounded_box(0.05); });
+  add("boxes_at_an_edge", [] { return side_by_side(box(0, 0, 0, 2, 2, 2), box(2, 2, 0, 2, 2, 2)); });
+  add("boxes_at_a_vertex", [] { return side_by_side(box(0, 0, 0, 2, 2, 2), box(2, 2, 2, 2, 2, 2)); });
+  add("balls_at_a_point", [] { return side_by_side(cut(ball(0, 3), ball(1, 2)), ball(1, 2)); });
+  return parts;
+}
+
+TopoDS_Shape turned(const TopoDS_Shape& shape, int turn) {
+  if (turn == 0) return shape;
+  gp_Trsf rotation;
+  if (turn == 1)
+    rotation.SetRotation(gp_Ax1(gp_Pnt(0.3, -0.2, 0.7), gp_Dir(1, 2, 3)), 0.7);
+  else
+    rotation.SetRotation(gp_Ax1(gp_Pnt(-0.1, 0.4, 0.2), gp_Dir(-2, 1, 0.5)), 2.1);
+  return BRepBuilderAPI_Transform(shape, rotation, true).Shape();
+}
+
+}  // namespace octet::test
