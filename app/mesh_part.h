@@ -35,6 +35,7 @@ struct StageTime {
   std::string name;
   double seconds = 0.0;
   double cpu_seconds = 0.0;  ///< of all threads together; unlike `seconds` hardly moved by what else runs
+  double peak_bytes = 0.0;   ///< most memory the process has held up to the end of the stage
 };
 
 struct MeshReport {

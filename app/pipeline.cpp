@@ -63,6 +63,7 @@ class Run {
     if (stage_ >= times.size()) return;
     times[stage_].seconds += lap.seconds;
     times[stage_].cpu_seconds += lap.cpu_seconds;
+    times[stage_].peak_bytes = lap.peak_bytes;
   }
 
   void choose_size() {

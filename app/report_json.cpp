@@ -132,8 +132,10 @@ std::string mesh_report_json(const RunNames& names, const Model& model, const Me
   json["area"] = measure_json(report.area, report.cad_area);
   json["times"] = Json::array();
   for (const StageTime& time : report.times)
-    json["times"].push_back(
-        {{"stage", time.name}, {"seconds", time.seconds}, {"cpu_seconds", time.cpu_seconds}});
+    json["times"].push_back({{"stage", time.name},
+                             {"seconds", time.seconds},
+                             {"cpu_seconds", time.cpu_seconds},
+                             {"peak_bytes", time.peak_bytes}});
   json["faults"] = faults_json(model, report.faults);
   json["claims"] = claims_json(model, report.acceptance);
   return text_of(json);

@@ -9,7 +9,7 @@
 compare: Octet and Debian's programs `gmsh -3 -algo hxt` and `gmsh -3` (apt-get install gmsh), each at its own size
 for about the wanted number of tetrahedra, in alternating pairs; medians of the pairs' ratios of CPU time a
 tetrahedron, wall time a tetrahedron and memory a tetrahedron (above 1: Octet is ahead), and both qualities.
-growth: one run a count; time by stage, and the exponents of time and memory against the count (least squares of
+growth: one run a count; CPU seconds by stage and in brackets the peak memory up to its end in MiB, and the exponents of time and memory against the count (least squares of
 the logarithms, from 1e5 on when there are three such counts).
 writing: the time of the stage "writing" against `dd` with as many bytes into the same directory.
 
@@ -146,7 +146,7 @@ def growth(options, work):
         for tets in options.tets:
             run = octet.run(part, first_size(part, 1.15 * tets))
             runs.append(run)
-            stages = " ".join(f"{stage['stage']} {stage['cpu_seconds']:.2f}" for stage in octet.told["times"])
+            stages = " ".join(f"{stage['stage']} {stage['cpu_seconds']:.2f} ({stage['peak_bytes'] / 2**20:.0f})" for stage in octet.told["times"])
             print(f"{run.tets:10d} tets, {octet.told['triangles']:8d} triangles, cpu {run.cpu:8.2f} s, "
                   f"wall {run.wall:8.2f} s, {run.memory / 2**20:7.0f} MiB, {run.memory / run.tets:6.0f} B/tet, "
                   f"{octet.told['status']}: {stages}", flush=True)
