@@ -3,38 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <random>
 
+#include "lattice_segments.h"
 #include "sample_parts.h"
 
 namespace octet::test {
 namespace {
-
-/// Axis-parallel segments as an octree asks for, at general places near the surface.
-struct Segments {
-  explicit Segments(const Model& model) : model_(model), step_(model.diagonal() / 40.0) {}
-
-  std::pair<Vec3, Vec3> next() {
-    const Facets& facets = model_.facets();
-    const auto& nodes = facets.triangles[generator_() % facets.triangles.size()];
-    const double a = unit(), b = unit() * (1.0 - a);
-    Vec3 p = (1.0 - a - b) * facets.nodes[nodes[0]] + a * facets.nodes[nodes[1]] + b * facets.nodes[nodes[2]];
-    for (int i = 0; i < 3; ++i) p[i] += (unit() - 0.5) * step_;
-    const auto axis = static_cast<Eigen::Index>(generator_() % 3);
-    Vec3 q = p;
-    const bool whole_row = generator_() % 4 == 0;
-    const double half = whole_row ? 1.1 * model_.diagonal() : 0.5 * step_;
-    p[axis] -= half;
-    q[axis] += half;
-    return {p, q};
-  }
-
- private:
-  double unit() { return static_cast<double>(generator_() >> 11) * 0x1p-53; }
-  const Model& model_;
-  double step_;
-  std::mt19937_64 generator_{20240229};
-};
 
 std::vector<double> reference(const Model& model, const Vec3& p, const Vec3& q) {
   std::vector<double> all;
@@ -52,7 +26,7 @@ class Intersect : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(Intersect, FindsWhatEverySurfaceFindsWithoutFacets) {
   const Model model = sample(GetParam());
-  Segments segments(model);
+  LatticeSegments segments(model);
   const int count = 20000;
   int differences = 0, hits_seen = 0;
   std::vector<Hit> hits;
@@ -76,7 +50,7 @@ TEST_P(Intersect, FindsWhatEverySurfaceFindsWithoutFacets) {
 
 TEST_P(Intersect, HitsLeadFromRegionToRegion) {
   const Model model = sample(GetParam());
-  Segments segments(model);
+  LatticeSegments segments(model);
   std::vector<Hit> hits;
   for (int i = 0; i < 1000; ++i) {
     const auto [p, q] = segments.next();

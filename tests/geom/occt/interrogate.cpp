@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One part: the fast paths against every surface asked without facets and against OCCT's solid classifier.
+//
+// octet_interrogate PART [SEGMENTS [POINTS [SECONDS]]] prints one JSON object.
+#include <BRepClass3d_SolidClassifier.hxx>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "lattice_segments.h"
+#include "part_and_shape.h"
+
+namespace octet::test {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Json = nlohmann::json;
+
+struct Limits {
+  int segments = 20000, points = 1000;
+  double seconds = 60.0;  ///< for each of the two comparisons
+};
+
+Json place(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
+
+/// Roots of a segment with every face, by surfaces and loops alone.
+std::vector<double> reference(const Model& model, const Vec3& p, const Vec3& q) {
+  std::vector<double> all;
+  std::vector<SurfaceRoot> roots;
+  for (int tag = 1; tag <= model.count(2); ++tag) {
+    roots.clear();
+    model.surface(tag).intersect(p, q, {}, roots);
+    for (const SurfaceRoot& root : roots)
+      if (model.face_side(tag, root.uv) != TrimSide::kOut) all.push_back(root.t);
+  }
+  return all;
+}
+
+/// `missed`: roots that the model does not report. `extra`: hits on faces that no surface has. Hits on edges
+/// and vertices without a root are cracks within their tolerance: counted apart.
+Json compare_segments(const Model& model, const Limits& limits) {
+  LatticeSegments segments(model);
+  int asked = 0, hits_seen = 0, missed = 0, extra = 0, cracks = 0;
+  Json places = Json::array();
+  std::vector<Hit> hits;
+  const auto start = Clock::now();
+  for (; asked < limits.segments; ++asked) {
+    if (asked % 64 == 0 && std::chrono::duration<double>(Clock::now() - start).count() > limits.seconds)
+      break;
+    const auto [p, q] = segments.next();
+    hits.clear();
+    model.intersect(p, q, hits);
+    hits_seen += static_cast<int>(hits.size());
+    const std::vector<double> expected = reference(model, p, q);
+    const double near = 1e-6 * model.diagonal();
+    const auto reach = [&](const Hit& hit) {
+      return near + 4.0 * (hit.on.dim == 0   ? model.vertex(hit.on.tag).tolerance
+                           : hit.on.dim == 1 ? model.edge(hit.on.tag).tolerance
+                                             : 0.0);
+    };
+    const double length = (q - p).norm();
+    const auto close = [&](const Hit& hit, double t) { return std::abs(hit.t - t) * length <= reach(hit); };
+    for (const double t : expected)
+      if (std::none_of(hits.begin(), hits.end(), [&](const Hit& hit) { return close(hit, t); })) {
+        ++missed;
+        if (places.size() < 5) places.push_back({{"missed", place(p + t * (q - p))}});
+      }
+    for (const Hit& hit : hits) {
+      if (std::any_of(expected.begin(), expected.end(), [&](double t) { return close(hit, t); })) continue;
+      ++(hit.on.dim == 2 ? extra : cracks);
+      if (hit.on.dim == 2 && places.size() < 5)
+        places.push_back({{"extra", place(hit.point)}, {"on", model.describe(hit.on)}});
+    }
+  }
+  return {{"segments", asked}, {"hits", hits_seen}, {"missed", missed},
+          {"extra", extra},    {"cracks", cracks},  {"places", places}};
+}
+
+Json compare_points(const PartAndShape& part, const Limits& limits) {
+  const Model& model = part.model;
+  std::vector<std::unique_ptr<BRepClass3d_SolidClassifier>> solids;
+  for (int tag = 1; tag <= model.count(3); ++tag)
+    solids.push_back(std::make_unique<BRepClass3d_SolidClassifier>(part.numbering.solid(tag)));
+  LatticeSegments random(model);
+  int asked = 0, differ = 0, on = 0;
+  Json places = Json::array();
+  const auto start = Clock::now();
+  for (; asked < limits.points; ++asked) {
+    if (std::chrono::duration<double>(Clock::now() - start).count() > limits.seconds) break;
+    Vec3 p;
+    for (int k = 0; k < 3; ++k)
+      p[k] = model.box().lo[k] + (1.1 * random.unit() - 0.05) * model.box().size()[k];
+    int theirs = 0;
+    bool unclear = false;
+    for (std::size_t i = 0; i < solids.size() && theirs == 0; ++i) {
+      solids[i]->Perform(gp_Pnt(p.x(), p.y(), p.z()), 1e-7);
+      if (solids[i]->State() == TopAbs_IN) theirs = static_cast<int>(i) + 1;
+      unclear |= solids[i]->State() == TopAbs_ON || solids[i]->State() == TopAbs_UNKNOWN;
+    }
+    if (theirs == 0 && unclear) {
+      ++on;
+      continue;
+    }
+    const int ours = model.region_at(p);
+    if (ours == theirs) continue;
+    ++differ;
+    const auto foot = model.closest(p, 1e300);
+    if (places.size() < 5)
+      places.push_back({{"at", place(p)},
+                        {"ours", ours},
+                        {"theirs", theirs},
+                        {"distance", foot ? foot->distance : -1.0},
+                        {"near", foot ? model.describe(foot->on) : ""}});
+  }
+  return {{"points", asked}, {"differ", differ}, {"on", on}, {"places", places}};
+}
+
+}  // namespace
+}  // namespace octet::test
+
+int main(int argc, char** argv) {
+  using namespace octet::test;
+  if (argc < 2) {
+    std::fprintf(stderr, "usage: octet_interrogate PART [SEGMENTS [POINTS [SECONDS]]]\n");
+    return 2;
+  }
+  Limits limits;
+  if (argc > 2) limits.segments = std::atoi(argv[2]);
+  if (argc > 3) limits.points = std::atoi(argv[3]);
+  if (argc > 4) limits.seconds = std::atof(argv[4]);
+  Json result;
+  try {
+    const PartAndShape part = read_with_shape(argv[1]);
+    result["faces"] = part.model.count(2);
+    result["rays"] = compare_segments(part.model, limits);
+    result["sides"] = compare_points(part, limits);
+  } catch (const std::exception& error) {
+    result["refused"] = error.what();
+  }
+  std::printf("%s\n", result.dump(-1, ' ', false, Json::error_handler_t::replace).c_str());
+  return 0;
+}

@@ -1,0 +1,80 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Asks the geometry of every part of a folder, the fast way and slowly, and prints one table.
+
+    tests/interrogate.py FOLDER|FILE... [--program build/tests/geom/occt/octet_interrogate] [--limit 120]
+                         [--segments 20000] [--points 1000] [--match WORD]
+
+Segments: Model::intersect against every surface asked without facets. Points: Model::region_at against OCCT's
+solid classifier. The exit code is 0 when nothing was missed and nothing extra; differences to the classifier
+are listed with their distance from the boundary, for a reader to judge.
+"""
+import argparse
+import json
+import os
+import subprocess
+import sys
+
+SUFFIXES = (".step", ".stp", ".iges", ".igs", ".brep", ".brp")
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("parts", nargs="+", help="folders or CAD files")
+    parser.add_argument("--program", default="build/tests/geom/occt/octet_interrogate")
+    parser.add_argument("--limit", type=float, default=120.0, help="seconds a part may take")
+    parser.add_argument("--segments", type=int, default=20000)
+    parser.add_argument("--points", type=int, default=1000)
+    parser.add_argument("--match", help="only files whose name holds this")
+    return parser.parse_args()
+
+
+def chosen_parts(args):
+    files = []
+    for part in args.parts:
+        if os.path.isdir(part):
+            files += [os.path.join(part, n) for n in sorted(os.listdir(part)) if n.lower().endswith(SUFFIXES)]
+        else:
+            files.append(part)
+    return [f for f in files if not args.match or args.match in os.path.basename(f)]
+
+
+def ask(path, args):
+    command = [args.program, path, str(args.segments), str(args.points), str(0.35 * args.limit)]
+    try:
+        done = subprocess.run(command, capture_output=True, text=True, timeout=args.limit, check=False)
+    except subprocess.TimeoutExpired:
+        return {"refused": f"no answer in {args.limit:g} s"}
+    lines = [line for line in done.stdout.splitlines() if line.startswith("{")]
+    if not lines:
+        return {"refused": f"ended with {done.returncode}"}
+    return json.loads(lines[-1])
+
+
+def main():
+    args = arguments()
+    totals = dict.fromkeys(("parts", "segments", "hits", "missed", "extra", "points", "differ"), 0)
+    print(f"{'part':34} {'faces':>6} {'segments':>8} {'hits':>7} {'missed':>6} {'extra':>5} {'cracks':>6} "
+          f"{'points':>6} {'differ':>6} {'on':>3}  places", flush=True)
+    for path in chosen_parts(args):
+        name = os.path.basename(path)
+        result = ask(path, args)
+        if "refused" in result:
+            print(f"{name:34} refused: {result['refused'][:120]}", flush=True)
+            continue
+        rays, sides = result["rays"], result["sides"]
+        places = rays["places"] + sides["places"]
+        print(f"{name:34} {result['faces']:6} {rays['segments']:8} {rays['hits']:7} {rays['missed']:6} "
+              f"{rays['extra']:5} {rays['cracks']:6} {sides['points']:6} {sides['differ']:6} {sides['on']:3}  "
+              f"{json.dumps(places) if places else ''}", flush=True)
+        totals["parts"] += 1
+        for key in ("segments", "hits", "missed", "extra"):
+            totals[key] += rays[key]
+        for key in ("points", "differ"):
+            totals[key] += sides[key]
+    print(", ".join(f"{value} {key}" for key, value in totals.items()))
+    return 0 if totals["missed"] == 0 and totals["extra"] == 0 else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
