@@ -23,7 +23,7 @@
 #include <string>
 #include <vector>
 
-#include "benchmark/benchmark.h"
+#include <benchmark/benchmark.h>
 #include "lattice_segments.h"
 #include "part_and_shape.h"
 
