@@ -48,9 +48,12 @@ class VtuFile {
     const std::string_view file = tag_at(header_.find("<VTKFile"));
     const std::string_view block = bytes.substr(appended, start - appended);
     if (attribute(file, "type") != "UnstructuredGrid" || attribute(file, "header_type") != "UInt64" ||
-        attribute(file, "byte_order") != "LittleEndian" ||
-        attribute(file, "compressor") != "vtkZLibDataCompressor" || attribute(block, "encoding") != "raw")
-      throw InputError("only VTU files as Octet writes them are read (zlib, raw, 64 bit headers)");
+        attribute(file, "byte_order") != "LittleEndian" || attribute(block, "encoding") != "raw")
+      throw InputError("only VTU files as Octet writes them are read (appended, raw, 64 bit headers)");
+    const std::string_view compressor = attribute(file, "compressor");
+    if (!compressor.empty() && compressor != "vtkZLibDataCompressor")
+      throw InputError(fmt::format("VTU files compressed by {} are not read", compressor));
+    packed_ = !compressor.empty();
     piece_ = tag_at(header_.find("<Piece"));
   }
   [[nodiscard]] std::uint64_t points() const { return count_attribute(piece_, "NumberOfPoints"); }
@@ -63,12 +66,22 @@ class VtuFile {
     const std::string_view tag = array_tag(section, name);
     if (attribute(tag, "type") != type || attribute(tag, "format") != "appended")
       throw InputError(fmt::format("the VTU array {} is not of type {}", name, type));
-    const std::string bytes = unpacked(count_attribute(tag, "offset"), name);
+    const std::uint64_t offset = count_attribute(tag, "offset");
+    const std::string bytes = packed_ ? unpacked(offset, name) : std::string(raw(offset, name));
     if (bytes.size() / sizeof(T) != count || bytes.size() % sizeof(T) != 0)
       throw InputError(fmt::format("the VTU array {} has a wrong length", name));
     std::vector<T> values(bytes.size() / sizeof(T));
     if (!values.empty()) std::memcpy(values.data(), bytes.data(), bytes.size());
     return values;
+  }
+
+  /// The same for an array of type Int32 or Int64.
+  [[nodiscard]] std::vector<std::int64_t> integers(const std::string& section, const std::string& name,
+                                                   std::uint64_t count) const {
+    if (attribute(array_tag(section, name), "type") == "Int64")
+      return array<std::int64_t>(section, name, "Int64", count);
+    const auto narrow = array<std::int32_t>(section, name, "Int32", count);
+    return {narrow.begin(), narrow.end()};
   }
 
  private:
@@ -84,6 +97,11 @@ class VtuFile {
     if (begin == std::string_view::npos || end == std::string_view::npos || at >= end)
       throw InputError(fmt::format("the VTU file has no array {} in {}", name, section));
     return tag_at(header_.rfind("<DataArray", at));
+  }
+  [[nodiscard]] std::string_view raw(std::uint64_t offset, const std::string& name) const {
+    if (offset > data_.size()) throw InputError(fmt::format("the VTU array {} lies behind the end", name));
+    ByteCursor in(data_.substr(offset));
+    return in.take(in.checked_count(in.raw<std::uint64_t>(false), 1, "bytes"));
   }
   [[nodiscard]] std::string unpacked(std::uint64_t offset, const std::string& name) const {
     if (offset > data_.size()) throw InputError(fmt::format("the VTU array {} lies behind the end", name));
@@ -113,6 +131,7 @@ class VtuFile {
   }
 
   std::string_view header_, data_, piece_;
+  bool packed_ = false;  ///< by zlib
 };
 
 void read_points(const VtuFile& file, RawMesh& mesh) {
@@ -142,12 +161,11 @@ void add_cell(RawMesh& mesh, std::uint64_t cell, std::uint8_t type, std::int32_t
 void read_cells(const VtuFile& file, RawMesh& mesh) {
   const std::uint64_t n = file.cells();
   const auto types = file.array<std::uint8_t>("Cells", "types", "UInt8", n);
-  const auto offsets = file.array<std::int64_t>("Cells", "offsets", "Int64", n);
+  const auto offsets = file.integers("Cells", "offsets", n);
   const auto tag = file.array<std::int32_t>("CellData", "entity_tag", "Int32", n);
   const std::int64_t length = n == 0 ? 0 : offsets.back();
   if (length < 0) throw InputError("the VTU file has a negative offset");
-  const auto connectivity =
-      file.array<std::int64_t>("Cells", "connectivity", "Int64", static_cast<std::uint64_t>(length));
+  const auto connectivity = file.integers("Cells", "connectivity", static_cast<std::uint64_t>(length));
   std::int64_t start = 0;
   for (std::uint64_t i = 0; i < n; ++i) {
     const std::int64_t count = offsets[i] - start;

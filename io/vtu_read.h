@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// VTU as vtu_write makes it: appended raw data, zlib-compressed, with the arrays entity_dim and entity_tag.
+// VTU as vtu_write makes it, appended and raw, or compressed by zlib; with the arrays entity_dim and
+// entity_tag.
 #pragma once
 
 #include <string_view>

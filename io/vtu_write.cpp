@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Arrays are compressed first, for the header in front of them needs their offsets.
+// Raw arrays, for compressing them takes ten times as long as writing them. Their lengths are known before
+// their values, so the header in front of them can tell their offsets and they are written as they are made.
 #include "io/vtu_write.h"
 
 #include <fmt/format.h>
-#include <zlib.h>
 
 #include <bit>
+#include <functional>
+#include <limits>
 #include <vector>
 
-#include "base/error.h"
 #include "io/msh_entities.h"
 
 namespace octet {
@@ -16,123 +17,161 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "the header says so");
 
-constexpr std::size_t kBlock = std::size_t{1} << 20;
-constexpr int kLevel = 1;  // a third of the time of the default, for a tenth more bytes
+/// Items a task.
+constexpr std::size_t kBlock = 16384;
 constexpr std::uint8_t kVtkType[4] = {1, 3, 5, 10};
 
-/// The compressed arrays, one after another, each with its block table as VTK wants it.
+template <class T>
+constexpr const char* kTypeName = nullptr;
+template <>
+constexpr const char* kTypeName<double> = "Float64";
+template <>
+constexpr const char* kTypeName<std::uint8_t> = "UInt8";
+template <>
+constexpr const char* kTypeName<std::int32_t> = "Int32";
+template <>
+constexpr const char* kTypeName<std::int64_t> = "Int64";
+
+/// The arrays in the order of their offsets, told first and written afterwards.
 class Appended {
  public:
-  /// Returns the array's XML element.
-  template <class T>
-  std::string add(const char* type, const char* name, int components, const std::vector<T>& values) {
-    const std::size_t offset = bytes_.size();
-    compress_all(reinterpret_cast<const unsigned char*>(values.data()), values.size() * sizeof(T));
-    const std::string width = components == 1 ? "" : fmt::format(" NumberOfComponents=\"{}\"", components);
-    return fmt::format("        <DataArray type=\"{}\" Name=\"{}\"{} format=\"appended\" offset=\"{}\"/>\n",
-                       type, name, width, offset);
+  /// Returns the XML element of an array of n items; make(item, values) writes the `width(item)` values of an
+  /// item, `total` in all.
+  template <class T, class Width, class Make>
+  std::string add(const char* name, int components, std::size_t n, std::uint64_t total, const Width& width,
+                  const Make& make) {
+    const std::string shape =
+        components == 1 ? std::string() : fmt::format(" NumberOfComponents=\"{}\"", components);
+    const std::string element =
+        fmt::format("        <DataArray type=\"{}\" Name=\"{}\"{} format=\"appended\" offset=\"{}\"/>\n",
+                    kTypeName<T>, name, shape, offset_);
+    const std::uint64_t length = total * sizeof(T);
+    offset_ += sizeof length + length;
+    writers_.push_back([=](OutputFile& file) {
+      file.put(length);
+      file.write_blocks(n, kBlock, [&](std::size_t first, std::size_t last, std::string& bytes) {
+        T values[4];
+        for (std::size_t i = first; i < last; ++i) {
+          make(i, values);
+          bytes.append(reinterpret_cast<const char*>(values), width(i) * sizeof(T));
+        }
+      });
+    });
+    return element;
   }
-  [[nodiscard]] const std::vector<unsigned char>& bytes() const { return bytes_; }
+  /// One value an item.
+  template <class T, class Value>
+  std::string add(const char* name, std::size_t n, const Value& value) {
+    return add<T>(
+        name, 1, n, n, [](std::size_t) { return std::size_t{1}; },
+        [=](std::size_t i, T* values) { values[0] = static_cast<T>(value(i)); });
+  }
+  void write(OutputFile& file) const {
+    for (const auto& writer : writers_) writer(file);
+  }
 
  private:
-  void put(std::size_t at, std::uint64_t value) {
-    for (int i = 0; i < 8; ++i) bytes_[at + i] = static_cast<unsigned char>(value >> (8 * i));
-  }
-  // Table: number of blocks, size of a block, size of the last one when it is not whole, compressed sizes.
-  void compress_all(const unsigned char* data, std::size_t size) {
-    const std::size_t blocks = (size + kBlock - 1) / kBlock;
-    const std::size_t table = bytes_.size();
-    bytes_.resize(table + 8 * (3 + blocks));
-    put(table, blocks);
-    put(table + 8, kBlock);
-    put(table + 16, size % kBlock);
-    for (std::size_t b = 0; b < blocks; ++b) {
-      const std::size_t length = std::min(kBlock, size - b * kBlock);
-      const std::size_t at = bytes_.size();
-      uLongf packed = compressBound(static_cast<uLong>(length));
-      bytes_.resize(at + packed);
-      if (compress2(&bytes_[at], &packed, data + b * kBlock, static_cast<uLong>(length), kLevel) != Z_OK)
-        throw OutputError("zlib cannot compress the mesh");
-      bytes_.resize(at + packed);
-      put(table + 8 * (3 + b), packed);
+  std::uint64_t offset_ = 0;
+  std::vector<std::function<void(OutputFile&)>> writers_;
+};
+
+/// The cells in order: nodes on model vertices, edges, triangles, tetrahedra.
+class Cells {
+ public:
+  explicit Cells(const Mesh& mesh) : mesh_(mesh) {
+    for (std::uint32_t v = 0; v < mesh.points.size(); ++v)
+      if (node_entity(mesh, v).dim == 0) vertex_nodes_.push_back(v);
+    const std::size_t counts[4] = {vertex_nodes_.size(), mesh.edges.size(), mesh.triangles.size(),
+                                   mesh.tets.size()};
+    for (int dim = 0; dim < 4; ++dim) {
+      first_[dim + 1] = first_[dim] + counts[dim];
+      first_value_[dim + 1] = first_value_[dim] + counts[dim] * static_cast<std::size_t>(dim + 1);
     }
   }
-  std::vector<unsigned char> bytes_;
-};
-
-struct CellArrays {
-  std::vector<std::int64_t> connectivity, offsets;
-  std::vector<std::uint8_t> types;
-  std::vector<std::int32_t> dim, tag, region;
-};
-
-template <class Element>
-void add_cell(CellArrays& cells, int dim, std::int32_t tag, const Element& element) {
-  for (const Mesh::Index v : element) cells.connectivity.push_back(v);
-  cells.offsets.push_back(static_cast<std::int64_t>(cells.connectivity.size()));
-  cells.types.push_back(kVtkType[dim]);
-  cells.dim.push_back(dim);
-  cells.tag.push_back(tag);
-  cells.region.push_back(dim == 3 ? tag : 0);
-}
-
-CellArrays cell_arrays(const Mesh& mesh, const ElementGroups& groups) {
-  CellArrays cells;
-  const std::size_t n = groups.total;
-  cells.connectivity.reserve(4 * n);
-  for (auto* column : {&cells.dim, &cells.tag, &cells.region}) column->reserve(n);
-  cells.offsets.reserve(n);
-  cells.types.reserve(n);
-  for (const std::uint32_t v : groups.vertex_nodes)
-    add_cell(cells, 0, mesh.point_on[v].tag, std::array<Mesh::Index, 1>{v});
-  for (std::size_t i = 0; i < mesh.edges.size(); ++i) add_cell(cells, 1, mesh.edge_on[i], mesh.edges[i]);
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-    add_cell(cells, 2, mesh.triangle_on[i], mesh.triangles[i]);
-  for (std::size_t i = 0; i < mesh.tets.size(); ++i) add_cell(cells, 3, mesh.tet_in[i], mesh.tets[i]);
-  return cells;
-}
-
-std::string add_points(Appended& data, const Mesh& mesh, double scale) {
-  std::vector<double> xyz;
-  xyz.reserve(3 * mesh.points.size());
-  for (const Vec3& p : mesh.points)
-    for (int i = 0; i < 3; ++i) xyz.push_back(p[i] * scale);
-  return data.add("Float64", "Points", 3, xyz);
-}
-
-std::string add_point_data(Appended& data, const Mesh& mesh) {
-  std::vector<std::int32_t> dim, tag;
-  for (std::uint32_t v = 0; v < mesh.points.size(); ++v) {
-    dim.push_back(node_entity(mesh, v).dim);
-    tag.push_back(node_entity(mesh, v).tag);
+  [[nodiscard]] std::size_t size() const { return first_[4]; }
+  /// Length of the connectivity.
+  [[nodiscard]] std::uint64_t values() const { return first_value_[4]; }
+  [[nodiscard]] int dim(std::size_t cell) const {
+    return cell < first_[1] ? 0 : cell < first_[2] ? 1 : cell < first_[3] ? 2 : 3;
   }
-  const std::string first = data.add("Int32", "entity_dim", 1, dim);
-  return first + data.add("Int32", "entity_tag", 1, tag);
+  [[nodiscard]] std::int32_t tag(std::size_t cell) const {
+    const int d = dim(cell);
+    const std::size_t i = cell - first_[d];
+    if (d == 0) return mesh_.point_on[vertex_nodes_[i]].tag;
+    return d == 1 ? mesh_.edge_on[i] : d == 2 ? mesh_.triangle_on[i] : mesh_.tet_in[i];
+  }
+  /// Where the cell ends in the connectivity.
+  [[nodiscard]] std::uint64_t end(std::size_t cell) const {
+    const int d = dim(cell);
+    return first_value_[d] + (cell - first_[d] + 1) * static_cast<std::uint64_t>(d + 1);
+  }
+  template <class T>
+  void nodes(std::size_t cell, T* values) const {
+    const int d = dim(cell);
+    const std::size_t i = cell - first_[d];
+    const Mesh::Index* v = d == 0   ? &vertex_nodes_[i]
+                           : d == 1 ? mesh_.edges[i].data()
+                           : d == 2 ? mesh_.triangles[i].data()
+                                    : mesh_.tets[i].data();
+    for (int k = 0; k <= d; ++k) values[k] = static_cast<T>(v[k]);
+  }
+
+ private:
+  const Mesh& mesh_;
+  std::vector<std::uint32_t> vertex_nodes_;
+  std::size_t first_[5] = {};
+  std::uint64_t first_value_[5] = {};
+};
+
+/// T: 32 bits while they hold all numbers.
+template <class T>
+std::string add_cells(Appended& data, const Cells& cells) {
+  const Cells* c = &cells;
+  return data.add<T>(
+             "connectivity", 1, cells.size(), cells.values(),
+             [c](std::size_t i) { return static_cast<std::size_t>(c->dim(i) + 1); },
+             [c](std::size_t i, T* values) { c->nodes(i, values); }) +
+         data.add<T>("offsets", cells.size(), [c](std::size_t i) { return c->end(i); }) +
+         data.add<std::uint8_t>("types", cells.size(), [c](std::size_t i) { return kVtkType[c->dim(i)]; });
 }
 
 }  // namespace
 
 void write_vtu(OutputFile& file, const Mesh& mesh, double scale) {
   Appended data;
-  const CellArrays cells = cell_arrays(mesh, group_elements(mesh));
+  const Cells cells(mesh);
+  const Mesh* m = &mesh;
+  const Cells* c = &cells;
+  const std::size_t points = mesh.points.size();
   std::string xml =
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
-      "byte_order=\"LittleEndian\" header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n"
-      "  <UnstructuredGrid>\n";
-  xml += fmt::format("    <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n", mesh.points.size(),
-                     cells.types.size());
-  xml += "      <PointData>\n" + add_point_data(data, mesh) + "      </PointData>\n      <CellData>\n";
-  xml += data.add("Int32", "entity_dim", 1, cells.dim);
-  xml += data.add("Int32", "entity_tag", 1, cells.tag);
-  xml += data.add("Int32", "region", 1, cells.region);
-  xml += "      </CellData>\n      <Points>\n" + add_points(data, mesh, scale) +
-         "      </Points>\n      <Cells>\n";
-  xml += data.add("Int64", "connectivity", 1, cells.connectivity);
-  xml += data.add("Int64", "offsets", 1, cells.offsets);
-  xml += data.add("UInt8", "types", 1, cells.types);
+      "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n  <UnstructuredGrid>\n";
+  xml += fmt::format("    <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n      <PointData>\n", points,
+                     cells.size());
+  xml += data.add<std::int32_t>("entity_dim", points, [m](std::size_t v) {
+    return node_entity(*m, static_cast<std::uint32_t>(v)).dim;
+  });
+  xml += data.add<std::int32_t>("entity_tag", points, [m](std::size_t v) {
+    return node_entity(*m, static_cast<std::uint32_t>(v)).tag;
+  });
+  xml += "      </PointData>\n      <CellData>\n";
+  xml += data.add<std::int32_t>("entity_dim", cells.size(), [c](std::size_t i) { return c->dim(i); });
+  xml += data.add<std::int32_t>("entity_tag", cells.size(), [c](std::size_t i) { return c->tag(i); });
+  xml += data.add<std::int32_t>("region", cells.size(),
+                                [c](std::size_t i) { return c->dim(i) == 3 ? c->tag(i) : 0; });
+  xml += "      </CellData>\n      <Points>\n";
+  xml += data.add<double>(
+      "Points", 3, points, 3 * points, [](std::size_t) { return std::size_t{3}; },
+      [m, scale](std::size_t v, double* values) {
+        for (int i = 0; i < 3; ++i) values[i] = m->points[v][i] * scale;
+      });
+  xml += "      </Points>\n      <Cells>\n";
+  const bool narrow = std::max<std::uint64_t>(cells.values(), points) <=
+                      static_cast<std::uint64_t>(std::numeric_limits<std::int32_t>::max());
+  xml += narrow ? add_cells<std::int32_t>(data, cells) : add_cells<std::int64_t>(data, cells);
   xml += "      </Cells>\n    </Piece>\n  </UnstructuredGrid>\n  <AppendedData encoding=\"raw\">\n_";
   file.write(xml);
-  file.write(data.bytes().data(), data.bytes().size());
+  data.write(file);
   file.write("\n  </AppendedData>\n</VTKFile>\n");
 }
 

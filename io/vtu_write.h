@@ -7,7 +7,7 @@
 
 namespace octet {
 
-/// Appended raw data, zlib-compressed in blocks. Cells: nodes on model vertices, edges, triangles,
+/// Appended raw data, connectivity and offsets in 32 bits while they fit. Cells: nodes on model vertices, edges, triangles,
 /// tetrahedra. Cell data entity_dim, entity_tag and region (0 but for tetrahedra); point data entity_dim and
 /// entity_tag.
 void write_vtu(OutputFile& file, const Mesh& mesh, double scale);

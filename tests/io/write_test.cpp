@@ -3,6 +3,7 @@
 #include "io/write.h"
 
 #include <gtest/gtest.h>
+#include <zlib.h>
 
 #include <bit>
 #include <cstring>
@@ -228,6 +229,41 @@ TEST_F(Read, EveryTruncationIsAnError) {
           << static_cast<int>(format) << " " << n;
     }
   }
+}
+
+/// A VTU file with its arrays compressed by zlib in one block each, as VTK's own writers do.
+std::string compressed_vtu(const std::string& vtu) {
+  const std::size_t start = vtu.find('_', vtu.find("<AppendedData")) + 1;
+  std::string header, data;
+  std::size_t from = 0;
+  for (std::size_t at = vtu.find("offset=\""); at < start; at = vtu.find("offset=\"", from)) {
+    const std::size_t number = at + 8, end = vtu.find('"', number);
+    const std::size_t array = start + std::stoull(vtu.substr(number, end - number));
+    std::uint64_t length = 0;
+    std::memcpy(&length, vtu.data() + array, sizeof length);
+    uLongf packed = compressBound(length);
+    std::string bytes(packed, '\0');
+    EXPECT_EQ(compress(reinterpret_cast<Bytef*>(bytes.data()), &packed,
+                       reinterpret_cast<const Bytef*>(vtu.data() + array + sizeof length), length),
+              Z_OK);
+    header += vtu.substr(from, number - from) + std::to_string(data.size());
+    from = end;
+    const std::uint64_t table[4] = {1, length + 1, length, packed};  // one block, not a whole one
+    data.append(reinterpret_cast<const char*>(table), sizeof table);
+    data.append(bytes, 0, packed);
+  }
+  header += vtu.substr(from, start - from);
+  header.insert(header.find(" header_type"), " compressor=\"vtkZLibDataCompressor\"");
+  return header + data + "\n  </AppendedData>\n</VTKFile>\n";
+}
+
+TEST_F(Read, VtuMayBeCompressed) {
+  const Mesh mesh = crooked_mesh();
+  const fs::path path = directory_ / "a.vtu";
+  write_mesh(path, mesh, {}, MeshFormat::kVtu);
+  const std::string raw = bytes_of(path), packed = compressed_vtu(raw);
+  EXPECT_LT(packed.size(), raw.size());
+  expect_same(read_bytes(packed, MeshFormat::kVtu), mesh);
 }
 
 TEST_F(Read, NoChangedByteEverCrashes) {
