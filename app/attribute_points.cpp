@@ -303,7 +303,7 @@ class AttributeLoop {
   AttributeLimits limits_;
   const Model& model_;
   AttributeResult result_;
-    int dual_rounds_ = 0;
+  int dual_rounds_ = 0;
   std::size_t fewest_ = std::numeric_limits<std::size_t>::max();
   std::vector<std::uint8_t> changed_;  ///< per tetrahedron: made in this round
   std::vector<TetId> relabel_, created_, cavity_;

@@ -44,10 +44,21 @@ struct QualityCommand {
   bool json = false, csv = false;
 };
 
+struct ImproveCommand {
+  std::filesystem::path mesh, part, output, report;
+  ReadOptions reading;
+  std::optional<double> size;  ///< wished for everywhere, in `unit`; none: as the mesh is
+  std::string unit;            ///< of the mesh files' coordinates; empty: millimetre
+  std::string format;          ///< empty: by the output's suffix
+  std::optional<int> threads;  ///< none: one per core
+  bool quiet = false, verbose = false;
+};
+
 /// Each returns an ExitCode and throws what the library throws.
 int run_mesh(const MeshCommand& command);
 int run_info(const InfoCommand& command);
 int run_check(const CheckCommand& command);
+int run_improve(const ImproveCommand& command);
 int run_quality(const QualityCommand& command);
 
 }  // namespace octet

@@ -118,6 +118,31 @@ void add_quality(CLI::App& app, QualityCommand& quality) {
   sub.footer(kFooter);
 }
 
+void add_improve(CLI::App& app, ImproveCommand& improve) {
+  CLI::App& sub =
+      *app.add_subcommand("improve", "Better shapes for a classified mesh of the part, from any mesher");
+  sub.add_option("mesh", improve.mesh, "MSH or VTU file")->required()->type_name("FILE");
+  sub.add_option("part", improve.part, "STEP, IGES or BREP file")->required()->type_name("FILE");
+  sub.add_option("-o,--output", improve.output, "Mesh file to write (.msh or .vtu)")
+      ->required()
+      ->type_name("FILE");
+  sub.add_option("--size", improve.size, "Edge length wished for everywhere (default: as the mesh is around)")
+      ->type_name("LENGTH");
+  sub.add_option("--unit", improve.unit, std::string("Unit of the mesh files: ") + kUnitHelp)
+      ->type_name("UNIT");
+  sub.add_option("--format", improve.format,
+                 "msh41, msh41-ascii, msh22, msh22-ascii, vtu (default: by suffix)")
+      ->type_name("FORMAT");
+  sub.add_option("--threads", improve.threads,
+                 "Threads; any number gives the same bytes (default: all cores)")
+      ->type_name("N");
+  sub.add_option("--report", improve.report, "Write a report as JSON")->type_name("FILE");
+  CLI::Option* quiet = sub.add_flag("--quiet,-q", improve.quiet, "Print nothing but errors");
+  sub.add_flag("--verbose,-v", improve.verbose, "Tell of every stage on stderr")->excludes(quiet);
+  add_reading_options(sub, improve.reading);
+  sub.footer(kFooter);
+}
+
 int run(int argc, char** argv) {
   CLI::App app("Octet: CAD part in, classified tetrahedral mesh out", "octet");
   app.set_version_flag("--version", std::string("octet ") + OCTET_VERSION);
@@ -127,10 +152,12 @@ int run(int argc, char** argv) {
   InfoCommand info;
   CheckCommand check;
   QualityCommand quality;
+  ImproveCommand improve;
   add_mesh(app, mesh);
   add_info(app, info);
   add_check(app, check);
   add_quality(app, quality);
+  add_improve(app, improve);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -139,6 +166,7 @@ int run(int argc, char** argv) {
   }
   if (app.got_subcommand("mesh")) return guarded([&] { return run_mesh(mesh); });
   if (app.got_subcommand("info")) return guarded([&] { return run_info(info); });
+  if (app.got_subcommand("improve")) return guarded([&] { return run_improve(improve); });
   if (app.got_subcommand("quality")) return guarded([&] { return run_quality(quality); });
   return guarded([&] { return run_check(check); });
 }

@@ -10,9 +10,9 @@
 #include <optional>
 
 #include "app/attempt.h"
+#include "app/measures.h"
 #include "app/mesh_part.h"
 #include "app/stage_clock.h"
-#include "base/blocks.h"
 #include "classify/extract.h"
 #include "finalize/finalize.h"
 #include "geom/sizing.h"
@@ -199,10 +199,7 @@ class Run {
     finalize_options.volume_beyond = deep_volumes(band_->tree, band_->labels, band_->split, model_.count(3));
     finalize_options.size_at = [this](const Vec3& p) { return band_->tree.size_at(p); };
     const FinalizeReport report = finalize(result_.mesh, model_, finalize_options, observer_);
-    observer_.note(fmt::format(
-        "finalization: smallest dihedral {:.2f} -> {:.2f} degrees, {} below target ({} by geometry)",
-        report.min_dihedral_before * 180.0 / M_PI, report.min_dihedral_after * 180.0 / M_PI,
-        report.below_target, report.limited_by_geometry));
+    observer_.note(describe(report));
     dump("finalized");
   }
 
@@ -225,29 +222,7 @@ class Run {
 
   void summarize() {
     begin("summary", 0.98);
-    MeshReport& report = result_.report;
-    const Mesh& mesh = result_.mesh;
-    report.quality = quality_summary(mesh);
-    report.nodes = mesh.points.size();
-    report.tets = mesh.tets.size();
-    report.triangles = mesh.triangles.size();
-    for (const double volume : map_blocks<double>(mesh.tets.size(), 16384, [&](auto first, auto last) {
-           double sum = 0.0;
-           for (std::size_t i = first; i < last; ++i) {
-             const auto& t = mesh.tets[i];
-             sum += signed_volume(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]], mesh.points[t[3]]);
-           }
-           return sum;
-         }))
-      report.volume += volume;
-    for (const auto& t : mesh.triangles)
-      report.area +=
-          0.5 * (mesh.points[t[1]] - mesh.points[t[0]]).cross(mesh.points[t[2]] - mesh.points[t[0]]).norm();
-    for (int r = 1; r <= model_.count(3); ++r) report.cad_volume += model_.region(r).volume;
-    for (int f = 1; f <= model_.count(2); ++f) {
-      const auto& region = model_.face(f).region;
-      if (region[0] != region[1]) report.cad_area += model_.face(f).area;
-    }
+    measure_mesh(result_.mesh, model_, result_.report);
     end();
   }
 

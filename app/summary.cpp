@@ -93,17 +93,19 @@ std::string fault_summary(const PartInfo& info) {
 
 }  // namespace
 
+std::string quality_line(const char* name, const QualitySummary& q) {
+  return fmt::format(
+      "  {:<9}dihedral angles {:.1f} to {:.1f} degrees (99 % of elements above {:.1f}), mean ratio {:.3f} "
+      "(least {:.3f})\n",
+      name, q.min_dihedral * kDegree, q.max_dihedral * kDegree, q.p1_min_dihedral * kDegree,
+      q.mean_mean_ratio, q.min_mean_ratio);
+}
+
 std::string mesh_summary(const Model& model, const MeshReport& report) {
-  const QualitySummary& q = report.quality;
   std::string text = fmt::format("  size     {:.6g} mm\n", report.size);
   text += fmt::format("  mesh     {} tetrahedra, {} nodes, {} boundary triangles\n", report.tets,
                       report.nodes, report.triangles);
-  text += fmt::format(
-      "  quality  dihedral angles {:.1f} to {:.1f} degrees (99 % of elements above {:.1f}), mean ratio "
-      "{:.3f} "
-      "(least {:.3f})\n",
-      q.min_dihedral * kDegree, q.max_dihedral * kDegree, q.p1_min_dihedral * kDegree, q.mean_mean_ratio,
-      q.min_mean_ratio);
+  text += quality_line("quality", report.quality);
   text += measure_line("volume", "mm^3", report.volume, report.cad_volume);
   text += measure_line("area", "mm^2", report.area, report.cad_area);
   text += times_line(report.times);

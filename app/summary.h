@@ -9,6 +9,8 @@
 
 namespace octet {
 
+/// One line of the shapes, under a name of at most eight letters.
+[[nodiscard]] std::string quality_line(const char* name, const QualitySummary& quality);
 /// The end of `octet mesh`: elements, quality, measures against the CAD, times, status, faults.
 [[nodiscard]] std::string mesh_summary(const Model& model, const MeshReport& report);
 /// `octet info`.

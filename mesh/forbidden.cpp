@@ -114,6 +114,20 @@ void flag_sharp_corners(const Mesh& mesh, std::vector<char>& flagged) {
   }
 }
 
+void flag_narrow_places(const Mesh& mesh, std::span<const double> size, std::vector<char>& flagged) {
+  const auto pieces = sorted_pieces(mesh);
+  for (const auto& v : mesh.tets) {
+    for (const auto& e : kTetEdge) {
+      const Index a = std::min(v[e[0]], v[e[1]]), b = std::max(v[e[0]], v[e[1]]);
+      const ModelRef p = mesh.point_on[a], q = mesh.point_on[b];
+      if (p.dim > 1 || q.dim > 1 || p == q) continue;
+      if ((mesh.points[a] - mesh.points[b]).norm() >= kNarrow * std::min(size[a], size[b])) continue;
+      if (p.dim != q.dim && std::binary_search(pieces.begin(), pieces.end(), std::array{a, b})) continue;
+      flagged[a] = flagged[b] = 1;
+    }
+  }
+}
+
 /// A face of a tetrahedron met by a ray.
 struct Exit {
   int face = -1;
@@ -178,6 +192,7 @@ std::vector<char> forbidding_vertices(const Mesh& mesh, std::span<const double> 
   const TetLinks links = tet_links(mesh);
   flag_sharp_edges(mesh, links, flagged);
   flag_sharp_corners(mesh, flagged);
+  flag_narrow_places(mesh, size, flagged);
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
     for (int f = 0; f < 4; ++f) {
       if (!links.wall[t][f]) continue;

@@ -66,6 +66,28 @@ TEST(Forbidden, TwoEdgesThatMeetAtASmallAngleFlagTheirVertex) {
   EXPECT_EQ(flagged(mesh, 1e-3), 1u);
 }
 
+TEST(Forbidden, AStripNarrowerThanAThirdOfTheSizeFlagsBothItsEdges) {
+  // The step's face x in [0, 1] x y in [0, 0.3]: its long edges are one element apart.
+  const Vec3 size(1.0, 0.3, 4.0);
+  const Mesh mesh = box_mesh(plain_box(size), size, {2, 1, 8});
+  EXPECT_GT(flagged(mesh, 0.8), 0u) << "thin wall";
+  Mesh wide = mesh;
+  for (Vec3& p : wide.points) p.y() *= 3.0;
+  EXPECT_EQ(flagged(wide, 0.8), 0u);
+  // One edge of a thick box drawn near to another.
+  Mesh notched = wide;
+  for (Vec3& p : notched.points)
+    if (p.x() == 0.0 && p.z() > 0.9 && p.z() < 3.1) p.y() = 0.9 - 0.25 * (0.9 - p.y());
+  const std::vector<double> sizes(notched.points.size(), 0.8);
+  const auto flags = forbidding_vertices(notched, sizes);
+  for (std::size_t v = 0; v < flags.size(); ++v) {
+    const Vec3& p = notched.points[v];
+    if (p.x() == 0.0 && p.z() > 0.9 && p.z() < 3.1) {
+      EXPECT_TRUE(flags[v]) << p.transpose();
+    }
+  }
+}
+
 TEST(Forbidden, AnElementTouchesByOneVertex) {
   const std::vector<char> flags{0, 0, 1, 0, 0};
   EXPECT_TRUE(touches({0, 1, 2, 3}, flags));

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `octet improve`: better shapes for a classified mesh from anywhere.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <thread>
+
+#include "app/commands.h"
+#include "app/console.h"
+#include "app/exit_code.h"
+#include "app/improve_mesh.h"
+#include "app/length_unit.h"
+#include "app/outline.h"
+#include "app/output_check.h"
+#include "app/report_json.h"
+#include "app/stage_clock.h"
+#include "app/summary.h"
+#include "base/error.h"
+#include "geom/occt/read_part.h"
+#include "io/output_file.h"
+#include "io/write.h"
+
+namespace octet {
+namespace {
+
+ImproveOptions improve_options(const ImproveCommand& command, const LengthUnit& unit) {
+  ImproveOptions options;
+  if (command.size) {
+    if (!std::isfinite(*command.size) || *command.size <= 0.0)
+      throw InputError(fmt::format("--size must be a positive length, not {}", *command.size));
+    options.size = *command.size * unit.millimetres;
+  }
+  options.threads =
+      command.threads.value_or(static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
+  return options;
+}
+
+}  // namespace
+
+int run_improve(const ImproveCommand& command) {
+  const LengthUnit unit = length_unit(command.unit.empty() ? "mm" : command.unit);
+  const ImproveOptions options = improve_options(command, unit);
+  const MeshFormat format = mesh_format(command.output, command.format);
+  check_writable(command.output);
+  if (!command.report.empty()) check_writable(command.report);
+  ConsoleOptions console_options;
+  console_options.progress = !command.quiet && ::isatty(STDERR_FILENO) != 0;
+  console_options.notes = command.verbose;
+  Console console(console_options);
+  Mesh mesh = read_mesh(command.mesh);
+  // A factor of exactly 1 leaves the coordinates as they are.
+  for (Vec3& p : mesh.points) p *= unit.millimetres;
+  const Model model = read_part(command.part, command.reading);
+  for (const std::string& note : model.notes()) console.note(note);
+
+  const QualitySummary before = quality_summary(mesh);
+  const MeshResult result = improve_mesh(std::move(mesh), model, options, console);
+  WriteOptions write_options;
+  write_options.scale = 1.0 / unit.millimetres;
+  write_mesh(command.output, result.mesh, outline_of(model), format, write_options);
+  const RunNames names{command.part.string(), command.output.string(), unit.name};
+  if (!command.report.empty()) {
+    OutputFile file(command.report);
+    file.write(mesh_report_json(names, model, result.report));
+    file.commit();
+  }
+  console.clear();
+  if (!command.quiet)
+    fmt::print("{} -> {} ({})\n{}{}", command.mesh.string(), names.mesh, unit.name,
+               quality_line("before", before), mesh_summary(model, result.report));
+  return result.report.status == MeshStatus::kComplete ? kExitComplete : kExitIncomplete;
+}
+
+}  // namespace octet

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Finalization of a classified mesh from anywhere.
+#include "app/improve_mesh.h"
+
+#include <fmt/format.h>
+#include <tbb/task_arena.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "app/measures.h"
+#include "app/stage_clock.h"
+#include "finalize/finalize.h"
+#include "mesh/local_size.h"
+#include "mesh/size_lookup.h"
+#include "mesh/soundness.h"
+
+namespace octet {
+namespace {
+
+/// The claims that finalization builds on; others may be broken, and are told at the end.
+void require_claims(const Acceptance& acceptance, const Model& model) {
+  for (const Claim& claim : acceptance.claims) {
+    if (claim.holds) continue;
+    std::string where;
+    if (!claim.faults.empty()) {
+      const Fault& fault = claim.faults.front();
+      where = fmt::format(": {} at ({:.6g}, {:.6g}, {:.6g})", model.describe(fault.entity), fault.place.x(),
+                          fault.place.y(), fault.place.z());
+    }
+    throw InputError(fmt::format(
+        "the mesh is no right mesh of the part, claim {} ({}) does not hold{}; octet check tells all",
+        claim.name, claim.statement, where));
+  }
+}
+
+MeshResult improve(Mesh mesh, const Model& model, const ImproveOptions& options, Observer& observer) {
+  MeshResult result;
+  StageClock clock;
+  observer.stage("acceptance of the input", 0.0);
+  if (const std::string fault = check_mesh_soundness(mesh); !fault.empty())
+    throw InputError("the mesh is no sound classified mesh: " + fault);
+  require_claims(accept_mesh(mesh, model), model);
+  release_seams(mesh, model);
+  result.report.times.push_back(clock.lap("acceptance of the input"));
+
+  observer.stage("finalization", 0.3);
+  FinalizeOptions finalize_options;
+  const std::vector<double> sizes = vertex_sizes(mesh, tet_edges(mesh));
+  const SizeLookup lookup(mesh.points, sizes);
+  finalize_options.size_at = [&](const Vec3& p) { return options.size > 0.0 ? options.size : lookup.at(p); };
+  const FinalizeReport report = finalize(mesh, model, finalize_options, observer);
+  observer.note(describe(report));
+  result.report.times.push_back(clock.lap("finalization"));
+
+  observer.stage("acceptance", 0.8);
+  const double mean = std::accumulate(sizes.begin(), sizes.end(), 0.0) / static_cast<double>(sizes.size());
+  result.report.size = options.size > 0.0 ? options.size : mean;
+  result.report.acceptance = accept_mesh(mesh, model);
+  for (const Claim& claim : result.report.acceptance.claims)
+    if (!claim.holds)
+      result.report.faults.insert(result.report.faults.end(), claim.faults.begin(), claim.faults.end());
+  if (result.report.acceptance.holds()) result.report.status = MeshStatus::kComplete;
+  measure_mesh(mesh, model, result.report);
+  result.report.times.push_back(clock.lap("acceptance"));
+  result.mesh = std::move(mesh);
+  return result;
+}
+
+}  // namespace
+
+void release_seams(Mesh& mesh, const Model& model) {
+  const auto real = [&](std::int32_t edge) { return model.edge(edge).use == EdgeUse::kReal; };
+  for (ModelRef& on : mesh.point_on) {
+    if (on.dim == 1 && !real(on.tag)) on = model_face(model.edge(on.tag).faces.front());
+  }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < mesh.edges.size(); ++i) {
+    if (!real(mesh.edge_on[i])) continue;
+    mesh.edges[kept] = mesh.edges[i];
+    mesh.edge_on[kept++] = mesh.edge_on[i];
+  }
+  mesh.edges.resize(kept);
+  mesh.edge_on.resize(kept);
+}
+
+MeshResult improve_mesh(Mesh mesh, const Model& model, const ImproveOptions& options, Observer& observer) {
+  if (options.threads < 1)
+    throw InputError(fmt::format("the number of threads must be at least 1, not {}", options.threads));
+  if (!std::isfinite(options.size) || options.size < 0.0)
+    throw InputError(fmt::format("the size must be a positive number, not {}", options.size));
+  MeshResult result;
+  tbb::task_arena arena(options.threads);
+  arena.execute([&] { result = improve(std::move(mesh), model, options, observer); });
+  return result;
+}
+
+}  // namespace octet

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the report tells of a mesh beside its claims.
+#include "app/measures.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "base/blocks.h"
+
+namespace octet {
+
+void measure_mesh(const Mesh& mesh, const Model& model, MeshReport& report) {
+  report.quality = quality_summary(mesh);
+  report.nodes = mesh.points.size();
+  report.tets = mesh.tets.size();
+  report.triangles = mesh.triangles.size();
+  for (const double volume : map_blocks<double>(mesh.tets.size(), 16384, [&](auto first, auto last) {
+         double sum = 0.0;
+         for (std::size_t i = first; i < last; ++i) {
+           const auto& t = mesh.tets[i];
+           sum += signed_volume(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]], mesh.points[t[3]]);
+         }
+         return sum;
+       }))
+    report.volume += volume;
+  for (const auto& t : mesh.triangles)
+    report.area +=
+        0.5 * (mesh.points[t[1]] - mesh.points[t[0]]).cross(mesh.points[t[2]] - mesh.points[t[0]]).norm();
+  for (int r = 1; r <= model.count(3); ++r) report.cad_volume += model.region(r).volume;
+  for (int f = 1; f <= model.count(2); ++f) {
+    const auto& region = model.face(f).region;
+    if (region[0] != region[1]) report.cad_area += model.face(f).area;
+  }
+}
+
+std::string describe(const FinalizeReport& report) {
+  constexpr double kDegree = 180.0 / M_PI;
+  return fmt::format(
+      "finalization: smallest dihedral {:.2f} -> {:.2f} degrees, {} below target ({} by geometry)",
+      report.min_dihedral_before * kDegree, report.min_dihedral_after * kDegree, report.below_target,
+      report.limited_by_geometry);
+}
+
+}  // namespace octet
