@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Loops to triangles: holes are joined to their outer loop by bridges, then ears are cut off.
+//
+// Loops that cross or touch cannot be triangulated well, but they can be triangulated: when no ear is left,
+// the corner that turns least the wrong way is cut off all the same. What is lost is shape, never a border
+// side.
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include "geom/planar_triangulation.h"
+
+namespace octet {
+namespace {
+
+using Loop = std::vector<std::uint32_t>;
+
+double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+double area_of(const std::vector<Vec2>& points, const Loop& loop) {
+  double twice = 0.0;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const Vec2 origin = points[loop[0]];
+    twice += cross(points[loop[i]] - origin, points[loop[(i + 1) % loop.size()]] - origin);
+  }
+  return 0.5 * twice;
+}
+
+bool contains(const std::vector<Vec2>& points, const Loop& loop, const Vec2& p) {
+  bool in = false;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const Vec2 &a = points[loop[i]], &b = points[loop[(i + 1) % loop.size()]];
+    if ((a.y() > p.y()) == (b.y() > p.y())) continue;
+    if ((orient2d(a, b, p) > 0) == (b.y() > a.y())) in = !in;
+  }
+  return in;
+}
+
+/// Whether the open segments pq and ab cross, or one passes through an end of the other.
+bool cross_or_touch(const Vec2& p, const Vec2& q, const Vec2& a, const Vec2& b) {
+  if (std::max(p.x(), q.x()) < std::min(a.x(), b.x()) || std::max(a.x(), b.x()) < std::min(p.x(), q.x()) ||
+      std::max(p.y(), q.y()) < std::min(a.y(), b.y()) || std::max(a.y(), b.y()) < std::min(p.y(), q.y()))
+    return false;
+  const int sa = orient2d(p, q, a), sb = orient2d(p, q, b);
+  if (sa * sb > 0) return false;
+  const int sp = orient2d(a, b, p), sq = orient2d(a, b, q);
+  return sp * sq <= 0;
+}
+
+/// A corner of the polygon that is left. `owner` and `side`: the triangle behind the side to the next corner;
+/// `bridge` 0, or the number that the two sides of a bridge share.
+struct Corner {
+  std::uint32_t point = 0;
+  std::int32_t previous = 0, next = 0;
+  std::int32_t owner = PlanarTriangulation::kNone;
+  int side = 0;
+  int bridge = 0;
+};
+
+class Clipper {
+ public:
+  explicit Clipper(PlanarTriangulation& result) : result_(result), points_(result.points) {}
+
+  void run(const Loop& outer, std::vector<const Loop*> holes) {
+    all_loops_ = {&outer};
+    all_loops_.insert(all_loops_.end(), holes.begin(), holes.end());
+    first_ = append(outer);
+    count_ = static_cast<int>(outer.size());
+    const auto right = [&](const Loop* loop) {
+      double x = -std::numeric_limits<double>::infinity();
+      for (const std::uint32_t i : *loop) x = std::max(x, points_[i].x());
+      return x;
+    };
+    // From right to left: what lies to the right of a hole is joined already, so a bridge can be found.
+    std::stable_sort(holes.begin(), holes.end(),
+                     [&](const Loop* a, const Loop* b) { return right(a) > right(b); });
+    for (const Loop* hole : holes) join(*hole);
+    clip();
+  }
+
+ private:
+  std::int32_t append(const Loop& loop) {
+    const auto start = static_cast<std::int32_t>(ring_.size());
+    const auto n = static_cast<std::int32_t>(loop.size());
+    for (std::int32_t i = 0; i < n; ++i) {
+      Corner corner;
+      corner.point = loop[static_cast<std::size_t>(i)];
+      corner.previous = start + (i + n - 1) % n;
+      corner.next = start + (i + 1) % n;
+      ring_.push_back(corner);
+    }
+    return start;
+  }
+
+  const Vec2& at(std::int32_t c) const { return points_[ring_[c].point]; }
+
+  /// Whether the direction from corner c to p points into the polygon.
+  bool opens_to(std::int32_t c, const Vec2& p) const {
+    const Vec2 &a = at(ring_[c].previous), &o = at(c), &b = at(ring_[c].next);
+    const int left_of_in = orient2d(a, o, p), left_of_out = orient2d(o, b, p);
+    return orient2d(a, o, b) > 0 ? left_of_in > 0 && left_of_out > 0 : left_of_in > 0 || left_of_out > 0;
+  }
+
+  bool sees(const Vec2& p, const Vec2& q) const {
+    for (const Loop* loop : all_loops_)
+      for (std::size_t i = 0; i < loop->size(); ++i) {
+        const Vec2 &a = points_[(*loop)[i]], &b = points_[(*loop)[(i + 1) % loop->size()]];
+        if (a == p || a == q || b == p || b == q) continue;
+        if (cross_or_touch(p, q, a, b)) return false;
+      }
+    return true;
+  }
+
+  /// A bridge from the hole's rightmost corner to the nearest corner of the polygon that it sees; where it
+  /// sees none, since loops cross, to the nearest.
+  void join(const Loop& hole) {
+    const std::int32_t start = append(hole);
+    std::int32_t from = start;
+    for (auto c = start; c < static_cast<std::int32_t>(ring_.size()); ++c)
+      if (at(c).x() > at(from).x()) from = c;
+    std::vector<std::int32_t> order;
+    for (std::int32_t c = first_, i = 0; i < count_; ++i, c = ring_[c].next) order.push_back(c);
+    const auto distance = [&](std::int32_t c) { return (at(c) - at(from)).squaredNorm(); };
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::int32_t a, std::int32_t b) { return distance(a) < distance(b); });
+    std::int32_t to = order.front();
+    for (const std::int32_t c : order) {
+      if (at(c) == at(from) || !opens_to(c, at(from)) || !opens_to(from, at(c)) || !sees(at(from), at(c)))
+        continue;
+      to = c;
+      break;
+    }
+    splice(to, from);
+    count_ += static_cast<int>(hole.size()) + 2;
+  }
+
+  /// ... to -> from ... (round the hole) ... from' -> to' ...
+  void splice(std::int32_t to, std::int32_t from) {
+    const auto to_copy = static_cast<std::int32_t>(ring_.size()), from_copy = to_copy + 1;
+    ring_.push_back(ring_[to]);
+    ring_.push_back(ring_[from]);
+    ring_[ring_[to].next].previous = to_copy;
+    ring_[ring_[from].previous].next = from_copy;
+    ring_[to].next = from;
+    ring_[from_copy].previous = ring_[from].previous;
+    ring_[from].previous = to;
+    ring_[from_copy].next = to_copy;
+    ring_[to_copy].previous = from_copy;
+    ++bridges_;
+    ring_[to].bridge = ring_[from_copy].bridge = bridges_;
+    ring_[to].owner = ring_[from_copy].owner = PlanarTriangulation::kNone;
+  }
+
+  bool convex(std::int32_t c) const { return orient2d(at(ring_[c].previous), at(c), at(ring_[c].next)) > 0; }
+
+  bool cuttable(std::int32_t c) const { return ring_[ring_[c].previous].point != ring_[ring_[c].next].point; }
+
+  bool is_ear(std::int32_t c) const {
+    if (!cuttable(c) || !convex(c)) return false;
+    const Vec2 &a = at(ring_[c].previous), &b = at(c), &d = at(ring_[c].next);
+    const Vec2 lo = a.cwiseMin(b).cwiseMin(d), hi = a.cwiseMax(b).cwiseMax(d);
+    for (std::int32_t k = ring_[ring_[c].next].next; k != ring_[c].previous; k = ring_[k].next) {
+      const Vec2& p = at(k);
+      if (p.x() < lo.x() || p.x() > hi.x() || p.y() < lo.y() || p.y() > hi.y()) continue;
+      if (p == a || p == b || p == d || convex(k)) continue;
+      if (orient2d(a, b, p) >= 0 && orient2d(b, d, p) >= 0 && orient2d(d, a, p) >= 0) return false;
+    }
+    return true;
+  }
+
+  void clip() {
+    std::int32_t c = first_;
+    int since_last = 0;
+    while (count_ > 3) {
+      if (is_ear(c)) {
+        c = ring_[cut(c)].next;
+        since_last = 0;
+      } else {
+        c = ring_[c].next;
+        if (++since_last > count_) {
+          c = least_bad(c);
+          if (!cuttable(c)) return give_up();
+          c = cut(c);
+          since_last = 0;
+        }
+      }
+    }
+    if (!cuttable(c) || !cuttable(ring_[c].next)) return give_up();
+    close(c);
+  }
+
+  void give_up() { result_.triangles.clear(); }
+
+  /// The corner whose triangle is the least turned, for its size.
+  std::int32_t least_bad(std::int32_t start) const {
+    std::int32_t best = start, c = start;
+    double best_height = -std::numeric_limits<double>::infinity();
+    for (int i = 0; i < count_; ++i, c = ring_[c].next) {
+      if (!cuttable(c)) continue;
+      const Vec2 &a = at(ring_[c].previous), &b = at(c), &d = at(ring_[c].next);
+      const double base = (d - a).norm();
+      const double height = base > 0.0 ? cross(b - a, d - a) / base : 0.0;
+      // A proper corner blocked by others comes before one that is turned; of each kind the flattest.
+      const double rank = height > 0.0 ? -height : 10.0 * height;
+      if (rank > best_height) {
+        best_height = rank;
+        best = c;
+      }
+    }
+    return best;
+  }
+
+  void own(std::int32_t t, int side, const Corner& corner) {
+    if (corner.owner != PlanarTriangulation::kNone) {
+      result_.link(t, side, corner.owner, corner.side);
+    } else if (corner.bridge > 0) {
+      bridge_side(corner.bridge, t, side);
+    }
+  }
+
+  void bridge_side(int bridge, std::int32_t t, int side) {
+    half_.resize(static_cast<std::size_t>(bridges_) + 1, {PlanarTriangulation::kNone, 0});
+    auto& [other, other_side] = half_[static_cast<std::size_t>(bridge)];
+    if (other == PlanarTriangulation::kNone) {
+      other = t;
+      other_side = side;
+    } else {
+      result_.link(t, side, other, other_side);
+    }
+  }
+
+  /// Cuts corner c off; returns the corner before it.
+  std::int32_t cut(std::int32_t c) {
+    const std::int32_t a = ring_[c].previous, d = ring_[c].next;
+    const auto t = static_cast<std::int32_t>(result_.triangles.size());
+    result_.triangles.push_back({{ring_[a].point, ring_[c].point, ring_[d].point}});
+    own(t, 2, ring_[a]);
+    own(t, 0, ring_[c]);
+    ring_[a].next = d;
+    ring_[d].previous = a;
+    ring_[a].owner = t;
+    ring_[a].side = 1;
+    ring_[a].bridge = 0;
+    --count_;
+    return a;
+  }
+
+  void close(std::int32_t c) {
+    const std::int32_t d = ring_[c].next, e = ring_[d].next;
+    const auto t = static_cast<std::int32_t>(result_.triangles.size());
+    result_.triangles.push_back({{ring_[c].point, ring_[d].point, ring_[e].point}});
+    own(t, 2, ring_[c]);
+    own(t, 0, ring_[d]);
+    own(t, 1, ring_[e]);
+  }
+
+  PlanarTriangulation& result_;
+  const std::vector<Vec2>& points_;
+  std::vector<const Loop*> all_loops_;
+  std::vector<Corner> ring_;
+  std::vector<std::pair<std::int32_t, int>> half_;
+  std::int32_t first_ = 0;
+  int count_ = 0, bridges_ = 0;
+};
+
+/// Which outer loop holds each hole: the smallest that contains its first corner, else the largest.
+std::vector<std::vector<const Loop*>> holes_of(const std::vector<Vec2>& points,
+                                               const std::vector<const Loop*>& outers,
+                                               const std::vector<const Loop*>& holes) {
+  std::vector<std::vector<const Loop*>> result(outers.size());
+  std::vector<double> area;
+  for (const Loop* outer : outers) area.push_back(area_of(points, *outer));
+  for (const Loop* hole : holes) {
+    std::size_t best = outers.size();
+    for (std::size_t i = 0; i < outers.size(); ++i)
+      if (contains(points, *outers[i], points[hole->front()]) &&
+          (best == outers.size() || area[i] < area[best]))
+        best = i;
+    if (best == outers.size())
+      best = static_cast<std::size_t>(std::max_element(area.begin(), area.end()) - area.begin());
+    result[best].push_back(hole);
+  }
+  return result;
+}
+
+}  // namespace
+
+PlanarTriangulation triangulate_loops(std::vector<Vec2> points, const std::vector<Loop>& loops) {
+  PlanarTriangulation result;
+  result.points = std::move(points);
+  std::vector<const Loop*> outers, holes;
+  for (const Loop& loop : loops) (area_of(result.points, loop) > 0.0 ? outers : holes).push_back(&loop);
+  const auto inside =
+      outers.empty() ? std::vector<std::vector<const Loop*>>() : holes_of(result.points, outers, holes);
+  for (std::size_t i = 0; i < outers.size(); ++i) {
+    const std::size_t before = result.triangles.size();
+    Clipper(result).run(*outers[i], inside[i]);
+    if (result.triangles.size() <= before) {
+      result.triangles.clear();
+      return result;
+    }
+  }
+  std::vector<std::int32_t> all(result.triangles.size());
+  std::iota(all.begin(), all.end(), 0);
+  result.legalize(all);
+  return result;
+}
+
+}  // namespace octet

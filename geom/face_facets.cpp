@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Facets of one face between given points on its boundary.
+#include "geom/face_facets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <tuple>
+
+#include "geom/facet_bvh.h"
+#include "geom/planar_triangulation.h"
+
+namespace octet {
+namespace {
+
+constexpr int kPasses = 24;
+
+/// Mean lengths of the derivatives: in (u,v) scaled by them circles are nearly circles on the surface.
+Vec2 metric_scale(const Surface& surface, const std::vector<Vec2>& uv) {
+  Vec2 sum = Vec2::Zero();
+  Vec2 lo = uv.front(), hi = uv.front();
+  for (const Vec2& p : uv) {
+    lo = lo.cwiseMin(p);
+    hi = hi.cwiseMax(p);
+  }
+  constexpr int kGrid = 5;
+  for (int i = 0; i < kGrid; ++i)
+    for (int j = 0; j < kGrid; ++j) {
+      const Vec2 at = lo + (hi - lo).cwiseProduct(Vec2((i + 0.5) / kGrid, (j + 0.5) / kGrid));
+      const SurfaceJet jet = surface.evaluate(at, 1);
+      sum += Vec2(jet.du.norm(), jet.dv.norm());
+    }
+  const auto usable = [](double x) { return std::isfinite(x) && x > 0.0 ? x : 1.0; };
+  return {usable(sum.x() / (kGrid * kGrid)), usable(sum.y() / (kGrid * kGrid))};
+}
+
+/// Puts points where the facets are too far from the surface or too flat for its curvature.
+class Refiner {
+ public:
+  Refiner(const Surface& surface, PlanarTriangulation& plane, const Vec2& scale, const FacetLimits& limits)
+      : surface_(surface), plane_(plane), scale_(scale), limits_(limits), given_(plane.points.size()) {
+    cosine_ = std::cos(limits.angle);
+    for (std::uint32_t i = 0; i < plane.points.size(); ++i) add_point(i);
+  }
+
+  void run() {
+    if (std::string_view(surface_.kind()) == "plane") return;
+    for (int pass = 0; pass < kPasses; ++pass)
+      if (!split_all()) return;
+  }
+
+  [[nodiscard]] std::vector<Vec3> inner_points() const {
+    return {position_.begin() + static_cast<std::ptrdiff_t>(given_), position_.end()};
+  }
+
+ private:
+  [[nodiscard]] Vec2 uv(const Vec2& p) const { return p.cwiseQuotient(scale_); }
+
+  void add_point(std::uint32_t i) {
+    const Vec2 at = uv(plane_.points[i]);
+    position_.push_back(surface_.evaluate(at, 0).p);
+    normal_.push_back(surface_.normal(at));
+  }
+
+  [[nodiscard]] bool full() const { return plane_.points.size() - given_ >= limits_.max_points; }
+
+  [[nodiscard]] bool side_too_coarse(std::uint32_t i, std::uint32_t j) const {
+    const Vec3 &a = position_[i], &b = position_[j];
+    const double length = (b - a).norm();
+    if (length <= limits_.deflection) return false;
+    const bool turns = normal_[i].squaredNorm() > 0.5 && normal_[j].squaredNorm() > 0.5 &&
+                       normal_[i].dot(normal_[j]) < cosine_;
+    if (turns && length > 4.0 * limits_.deflection) return true;
+    for (const double share : {0.5, 0.25, 0.75}) {
+      const Vec3 p = surface_.evaluate(uv((1.0 - share) * plane_.points[i] + share * plane_.points[j]), 0).p;
+      if (closest_on_triangle(p, a, b, b).distance > limits_.deflection) return true;
+    }
+    return false;
+  }
+
+  [[nodiscard]] bool centre_too_far(const std::array<std::uint32_t, 3>& c) const {
+    const Vec3 p =
+        surface_.evaluate(uv((plane_.points[c[0]] + plane_.points[c[1]] + plane_.points[c[2]]) / 3.0), 0).p;
+    return closest_on_triangle(p, position_[c[0]], position_[c[1]], position_[c[2]]).distance >
+           limits_.deflection;
+  }
+
+  /// One pass over the sides and triangles there are; false: nothing was split.
+  bool split_all() {
+    bool split = false;
+    const auto count = static_cast<std::int32_t>(plane_.triangles.size());
+    for (std::int32_t t = 0; t < count && !full(); ++t) {
+      bool side_split = false;
+      for (int k = 0; k < 3 && !side_split; ++k) {
+        const auto& triangle = plane_.triangles[t];
+        const std::uint32_t i = triangle.corner[(k + 1) % 3], j = triangle.corner[(k + 2) % 3];
+        if (triangle.neighbour[k] == PlanarTriangulation::kNone || !side_too_coarse(i, j)) continue;
+        if (const auto point = plane_.split_side(t, k)) {
+          add_point(*point);
+          side_split = split = true;
+        }
+      }
+      if (!side_split && centre_too_far(plane_.triangles[t].corner)) {
+        add_point(plane_.split_triangle(t));
+        split = true;
+      }
+    }
+    return split;
+  }
+
+  const Surface& surface_;
+  PlanarTriangulation& plane_;
+  Vec2 scale_;
+  FacetLimits limits_;
+  std::size_t given_;
+  double cosine_ = 1.0;
+  std::vector<Vec3> position_, normal_;
+};
+
+struct LoopSide {
+  std::uint32_t loop = 0, side = 0;
+  std::uint32_t a = 0, b = 0;  ///< points
+  double lo = 0.0, hi = 0.0;   ///< in u
+};
+
+std::vector<LoopSide> sides_by_u(const FaceLoops& loops) {
+  std::vector<LoopSide> sides;
+  for (std::uint32_t l = 0; l < loops.loops.size(); ++l)
+    for (std::uint32_t i = 0; i < loops.loops[l].size(); ++i) {
+      LoopSide side{l, i, loops.loops[l][i], loops.loops[l][(i + 1) % loops.loops[l].size()]};
+      std::tie(side.lo, side.hi) = std::minmax({loops.uv[side.a].x(), loops.uv[side.b].x()});
+      sides.push_back(side);
+    }
+  std::sort(sides.begin(), sides.end(), [](const LoopSide& x, const LoopSide& y) {
+    return std::tie(x.lo, x.loop, x.side) < std::tie(y.lo, y.loop, y.side);
+  });
+  return sides;
+}
+
+/// Whether the sides cross; sides that share a point or touch in an end do not.
+bool cross(const std::vector<Vec2>& uv, const LoopSide& x, const LoopSide& y) {
+  if (x.a == y.a || x.a == y.b || x.b == y.a || x.b == y.b) return false;
+  const Vec2 &p = uv[x.a], &q = uv[x.b], &a = uv[y.a], &b = uv[y.b];
+  return orient2d(p, q, a) * orient2d(p, q, b) < 0 && orient2d(a, b, p) * orient2d(a, b, q) < 0;
+}
+
+}  // namespace
+
+FaceFacets facet_face(const Surface& surface, const FaceLoops& loops, const FacetLimits& limits) {
+  FaceFacets result;
+  if (loops.uv.empty()) return result;
+  const Vec2 scale = metric_scale(surface, loops.uv);
+  std::vector<Vec2> scaled;
+  scaled.reserve(loops.uv.size());
+  for (const Vec2& p : loops.uv) scaled.push_back(p.cwiseProduct(scale));
+  PlanarTriangulation plane = triangulate_loops(std::move(scaled), loops.loops);
+  if (plane.triangles.empty()) return result;
+  Refiner refiner(surface, plane, scale, limits);
+  refiner.run();
+  result.uv = loops.uv;
+  for (std::size_t i = loops.uv.size(); i < plane.points.size(); ++i)
+    result.uv.push_back(plane.points[i].cwiseQuotient(scale));
+  result.inner = refiner.inner_points();
+  for (const auto& triangle : plane.triangles) result.triangles.push_back(triangle.corner);
+  return result;
+}
+
+std::vector<LoopCrossing> loop_crossings(const FaceLoops& loops) {
+  std::vector<LoopCrossing> crossings;
+  const std::vector<LoopSide> sides = sides_by_u(loops);
+  for (std::size_t i = 0; i < sides.size(); ++i)
+    for (std::size_t j = i + 1; j < sides.size() && sides[j].lo <= sides[i].hi; ++j)
+      if (cross(loops.uv, sides[i], sides[j]))
+        crossings.push_back({{sides[i].loop, sides[j].loop}, {sides[i].side, sides[j].side}});
+  return crossings;
+}
+
+}  // namespace octet

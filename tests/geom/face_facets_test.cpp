@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Facets of a face close on its boundary, whatever the loops do, and follow its surface.
+#include "geom/face_facets.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <numbers>
+
+#include "geom/planar_triangulation.h"
+#include "geom/quadrics.h"
+
+namespace octet {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+using Loop = std::vector<std::uint32_t>;
+
+/// Appends a loop through the given points.
+void add_loop(FaceLoops& loops, const std::vector<Vec2>& points) {
+  Loop loop;
+  for (const Vec2& p : points) {
+    loop.push_back(static_cast<std::uint32_t>(loops.uv.size()));
+    loops.uv.push_back(p);
+  }
+  loops.loops.push_back(loop);
+}
+
+std::vector<Vec2> circle(const Vec2& centre, double radius, int n, int way = 1) {
+  std::vector<Vec2> points;
+  for (int i = 0; i < n; ++i) {
+    const double angle = way * 2.0 * kPi * i / n;
+    points.push_back(centre + radius * Vec2(std::cos(angle), std::sin(angle)));
+  }
+  return points;
+}
+
+/// Border sides once, in the loops' direction; all others as often in one direction as in the other.
+void expect_closed(const FaceLoops& loops, const std::vector<std::array<std::uint32_t, 3>>& triangles) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> balance;
+  for (const auto& t : triangles)
+    for (int k = 0; k < 3; ++k) {
+      const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+      EXPECT_NE(a, b);
+      balance[std::minmax(a, b)] += a < b ? 1 : -1;
+    }
+  for (const Loop& loop : loops.loops)
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const std::uint32_t a = loop[i], b = loop[(i + 1) % loop.size()];
+      balance[std::minmax(a, b)] -= a < b ? 1 : -1;
+    }
+  for (const auto& [side, sum] : balance) EXPECT_EQ(sum, 0) << side.first << "-" << side.second;
+}
+
+double area_of(const PlanarTriangulation& plane, int& turned) {
+  double twice = 0.0;
+  turned = 0;
+  for (const auto& t : plane.triangles) {
+    const Vec2 p = plane.points[t.corner[1]] - plane.points[t.corner[0]],
+               q = plane.points[t.corner[2]] - plane.points[t.corner[0]];
+    twice += p.x() * q.y() - p.y() * q.x();
+    turned += orient2d(plane.points[t.corner[0]], plane.points[t.corner[1]], plane.points[t.corner[2]]) <= 0;
+  }
+  return 0.5 * twice;
+}
+
+void expect_triangulated(const FaceLoops& loops, double area, bool all_positive) {
+  const PlanarTriangulation plane = triangulate_loops(loops.uv, loops.loops);
+  ASSERT_FALSE(plane.triangles.empty());
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  for (const auto& t : plane.triangles) triangles.push_back(t.corner);
+  expect_closed(loops, triangles);
+  int turned = 0;
+  EXPECT_NEAR(area_of(plane, turned), area, 1e-9 * std::abs(area));
+  if (all_positive) EXPECT_EQ(turned, 0);
+  for (std::int32_t t = 0; t < static_cast<std::int32_t>(plane.triangles.size()); ++t)
+    for (int k = 0; k < 3; ++k) {
+      const std::int32_t u = plane.triangles[t].neighbour[k];
+      if (u == PlanarTriangulation::kNone) continue;
+      const auto& back = plane.triangles[u].neighbour;
+      EXPECT_TRUE(back[0] == t || back[1] == t || back[2] == t);
+    }
+}
+
+double polygon_area(double radius, int n) { return 0.5 * n * radius * radius * std::sin(2.0 * kPi / n); }
+
+TEST(PlanarTriangulation, CoversACombOfManyTeeth) {
+  FaceLoops loops;
+  std::vector<Vec2> comb = {{0, 0}, {20, 0}};
+  for (int i = 19; i >= 0; --i) {
+    comb.push_back({i + 0.9, 5.0});
+    comb.push_back({i + 0.5, 1.0});
+    comb.push_back({i + 0.1, 5.0});
+  }
+  add_loop(loops, comb);
+  double twice = 0.0;
+  for (std::size_t i = 0; i < comb.size(); ++i) {
+    const Vec2 &a = comb[i], &b = comb[(i + 1) % comb.size()];
+    twice += a.x() * b.y() - a.y() * b.x();
+  }
+  expect_triangulated(loops, 0.5 * twice, true);
+}
+
+TEST(PlanarTriangulation, LeavesAHundredHolesOpen) {
+  FaceLoops loops;
+  add_loop(loops, {{0, 0}, {10, 0}, {10, 10}, {0, 10}});
+  for (int i = 0; i < 10; ++i)
+    for (int j = 0; j < 10; ++j) add_loop(loops, circle({i + 0.5, j + 0.5}, 0.45, 12, -1));
+  expect_triangulated(loops, 100.0 - 100.0 * polygon_area(0.45, 12), true);
+}
+
+TEST(PlanarTriangulation, TakesAHoleThatTouchesItsOuterLoopInACorner) {
+  FaceLoops loops;
+  add_loop(loops, {{0, 0}, {4, 0}, {4, 4}, {0, 4}});
+  add_loop(loops, {{0, 0}, {1, 2}, {2, 1}});
+  expect_triangulated(loops, 16.0 - 1.5, false);
+}
+
+TEST(PlanarTriangulation, KeepsItsBorderWhereTheLoopCrossesItself) {
+  FaceLoops loops;
+  add_loop(loops, {{0, 0}, {10, 0}, {10, 10}, {6, 10}, {4, -1}, {3.9, -1}, {2, 10}, {0, 10}});
+  const PlanarTriangulation plane = triangulate_loops(loops.uv, loops.loops);
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  for (const auto& t : plane.triangles) triangles.push_back(t.corner);
+  ASSERT_EQ(triangles.size(), 6u);
+  expect_closed(loops, triangles);
+  EXPECT_EQ(loop_crossings(loops).size(), 2u);
+}
+
+TEST(PlanarTriangulation, KeepsItsBorderWhereAHoleCrossesIt) {
+  FaceLoops loops;
+  add_loop(loops, {{0, 0}, {10, 0}, {10, 10}, {0, 10}});
+  add_loop(loops, circle({9.8, 5.0}, 0.5, 16, -1));
+  const PlanarTriangulation plane = triangulate_loops(loops.uv, loops.loops);
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  for (const auto& t : plane.triangles) triangles.push_back(t.corner);
+  ASSERT_EQ(triangles.size(), 4u + 16u);
+  expect_closed(loops, triangles);
+}
+
+TEST(PlanarTriangulation, RefusesLoopsWithNothingOnTheirLeft) {
+  FaceLoops loops;
+  add_loop(loops, circle({0, 0}, 1.0, 8, -1));
+  EXPECT_TRUE(triangulate_loops(loops.uv, loops.loops).triangles.empty());
+}
+
+TEST(PlanarTriangulation, IsDelaunay) {
+  FaceLoops loops;
+  add_loop(loops, circle({0, 0}, 1.0, 40));
+  PlanarTriangulation plane = triangulate_loops(loops.uv, loops.loops);
+  for (int i = 0; i < 200; ++i)
+    (void)plane.split_triangle(static_cast<std::int32_t>((i * 7919) % plane.triangles.size()));
+  for (const auto& t : plane.triangles) {
+    const Vec2 &a = plane.points[t.corner[0]], &b = plane.points[t.corner[1]], &c = plane.points[t.corner[2]];
+    ASSERT_GT(orient2d(a, b, c), 0);
+    for (int k = 0; k < 3; ++k) {
+      const std::int32_t u = t.neighbour[k];
+      if (u == PlanarTriangulation::kNone) continue;
+      for (const std::uint32_t i : plane.triangles[u].corner) {
+        const auto lift = [](const Vec2& p) { return Vec3(p.x(), p.y(), p.squaredNorm()); };
+        const Vec3 n = (lift(b) - lift(a)).cross(lift(c) - lift(a));
+        EXPECT_GE(n.dot(lift(plane.points[i]) - lift(a)), -1e-10);
+      }
+    }
+  }
+}
+
+TEST(FaceFacets, FollowACylinderWithinTheDeflection) {
+  const auto surface = make_cylinder(Axes3{}, 5.0);
+  FaceLoops loops;
+  std::vector<Vec2> border;
+  constexpr int kSides = 24;
+  for (int i = 0; i <= kSides; ++i) border.push_back({2.0 * kPi * i / kSides, 0.0});
+  for (int i = kSides; i >= 0; --i) border.push_back({2.0 * kPi * i / kSides, 30.0});
+  add_loop(loops, border);
+  FacetLimits limits;
+  limits.deflection = 0.05;
+  const FaceFacets facets = facet_face(*surface, loops, limits);
+  ASSERT_FALSE(facets.triangles.empty());
+  expect_closed(loops, facets.triangles);
+  double area = 0.0;
+  for (const auto& t : facets.triangles) {
+    const Vec3 a = surface->evaluate(facets.uv[t[0]], 0).p, b = surface->evaluate(facets.uv[t[1]], 0).p,
+               c = surface->evaluate(facets.uv[t[2]], 0).p;
+    area += 0.5 * (b - a).cross(c - a).norm();
+    EXPECT_GT(((a + b + c) / 3.0).head<2>().norm(), 5.0 - 0.1);
+  }
+  EXPECT_NEAR(area, 2.0 * kPi * 5.0 * 30.0, 0.02 * 2.0 * kPi * 5.0 * 30.0);
+}
+
+TEST(FaceFacets, PutPointsInsideASphereOfOneCoarseLoop) {
+  const auto surface = make_sphere(Axes3{}, 1.0);
+  FaceLoops loops;
+  add_loop(loops, {{0, 0}, {kPi / 2, 0}, {kPi, 0}, {kPi, 1.2}, {kPi / 2, 1.2}, {0, 1.2}});
+  FacetLimits limits;
+  limits.deflection = 0.002;
+  const FaceFacets facets = facet_face(*surface, loops, limits);
+  expect_closed(loops, facets.triangles);
+  EXPECT_GT(facets.inner.size(), 50u);
+  for (const Vec3& p : facets.inner) EXPECT_NEAR(p.norm(), 1.0, 1e-12);
+}
+
+}  // namespace
+}  // namespace octet
