@@ -5,6 +5,8 @@
 // the corner that turns least the wrong way is cut off all the same. What is lost is shape, never a border
 // side.
 #include <algorithm>
+#include <cmath>
+#include <deque>
 #include <limits>
 #include <numeric>
 
@@ -51,10 +53,54 @@ bool cross_or_touch(const Vec2& p, const Vec2& q, const Vec2& a, const Vec2& b) 
 /// `bridge` 0, or the number that the two sides of a bridge share.
 struct Corner {
   std::uint32_t point = 0;
+  bool convex = true, gone = false;
   std::int32_t previous = 0, next = 0;
   std::int32_t owner = PlanarTriangulation::kNone;
   int side = 0;
   int bridge = 0;
+};
+
+/// Numbered points in the squares of a grid.
+class Buckets {
+ public:
+  Buckets() = default;
+  explicit Buckets(const std::vector<std::pair<Vec2, std::int32_t>>& points) {
+    Vec2 hi = points.front().first;
+    lo_ = hi;
+    for (const auto& [p, id] : points) {
+      lo_ = lo_.cwiseMin(p);
+      hi = hi.cwiseMax(p);
+    }
+    side_ = std::clamp(static_cast<int>(std::sqrt(static_cast<double>(points.size()))), 1, 1000);
+    for (int axis = 0; axis < 2; ++axis)
+      per_length_[axis] = hi[axis] > lo_[axis] ? side_ / (hi[axis] - lo_[axis]) : 0.0;
+    cells_.resize(static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_));
+    for (const auto& [p, id] : points) cell(index(p, 0), index(p, 1)).push_back(id);
+  }
+
+  /// Whether `test` holds for a point in a square that meets the box.
+  template <class Test>
+  [[nodiscard]] bool any(const Vec2& lo, const Vec2& hi, const Test& test) const {
+    const int x1 = index(hi, 0), y1 = index(hi, 1);
+    for (int y = index(lo, 1); y <= y1; ++y)
+      for (int x = index(lo, 0); x <= x1; ++x)
+        for (const std::int32_t id : cells_[position(x, y)])
+          if (test(id)) return true;
+    return false;
+  }
+
+ private:
+  [[nodiscard]] int index(const Vec2& p, int axis) const {
+    return std::clamp(static_cast<int>((p[axis] - lo_[axis]) * per_length_[axis]), 0, side_ - 1);
+  }
+  [[nodiscard]] std::size_t position(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(side_) + static_cast<std::size_t>(x);
+  }
+  std::vector<std::int32_t>& cell(int x, int y) { return cells_[position(x, y)]; }
+
+  Vec2 lo_ = Vec2::Zero(), per_length_ = Vec2::Zero();
+  int side_ = 1;
+  std::vector<std::vector<std::int32_t>> cells_;
 };
 
 class Clipper {
@@ -151,42 +197,61 @@ class Clipper {
     ring_[to].owner = ring_[from_copy].owner = PlanarTriangulation::kNone;
   }
 
-  bool convex(std::int32_t c) const { return orient2d(at(ring_[c].previous), at(c), at(ring_[c].next)) > 0; }
+  void update_convexity(std::int32_t c) {
+    ring_[c].convex = orient2d(at(ring_[c].previous), at(c), at(ring_[c].next)) > 0;
+  }
 
   bool cuttable(std::int32_t c) const { return ring_[ring_[c].previous].point != ring_[ring_[c].next].point; }
 
   bool is_ear(std::int32_t c) const {
-    if (!cuttable(c) || !convex(c)) return false;
+    if (!ring_[c].convex || !cuttable(c)) return false;
     const Vec2 &a = at(ring_[c].previous), &b = at(c), &d = at(ring_[c].next);
-    const Vec2 lo = a.cwiseMin(b).cwiseMin(d), hi = a.cwiseMax(b).cwiseMax(d);
-    for (std::int32_t k = ring_[ring_[c].next].next; k != ring_[c].previous; k = ring_[k].next) {
-      const Vec2& p = at(k);
-      if (p.x() < lo.x() || p.x() > hi.x() || p.y() < lo.y() || p.y() > hi.y()) continue;
-      if (p == a || p == b || p == d || convex(k)) continue;
-      if (orient2d(a, b, p) >= 0 && orient2d(b, d, p) >= 0 && orient2d(d, a, p) >= 0) return false;
-    }
-    return true;
+    const auto blocks = [&](std::int32_t k) {
+      const Corner& corner = ring_[k];
+      if (corner.gone || corner.convex) return false;
+      const Vec2& p = points_[corner.point];
+      if (p == a || p == b || p == d) return false;
+      return orient2d(a, b, p) >= 0 && orient2d(b, d, p) >= 0 && orient2d(d, a, p) >= 0;
+    };
+    return !buckets_.any(a.cwiseMin(b).cwiseMin(d), a.cwiseMax(b).cwiseMax(d), blocks);
   }
 
+  /// Corners are looked at in turn, those beside a cut again; when all were and none is an ear, one is cut
+  /// all the same.
   void clip() {
-    std::int32_t c = first_;
-    int since_last = 0;
-    while (count_ > 3) {
-      if (is_ear(c)) {
-        c = ring_[cut(c)].next;
-        since_last = 0;
-      } else {
-        c = ring_[c].next;
-        if (++since_last > count_) {
-          c = least_bad(c);
-          if (!cuttable(c)) return give_up();
-          c = cut(c);
-          since_last = 0;
-        }
-      }
+    std::vector<std::pair<Vec2, std::int32_t>> corners;
+    std::deque<std::int32_t> turn;
+    for (std::int32_t c = first_, i = 0; i < count_; ++i, c = ring_[c].next) {
+      update_convexity(c);
+      corners.emplace_back(at(c), c);
+      turn.push_back(c);
     }
-    if (!cuttable(c) || !cuttable(ring_[c].next)) return give_up();
-    close(c);
+    buckets_ = Buckets(corners);
+    bool cut_any = false;
+    while (count_ > 3) {
+      if (turn.empty()) {
+        if (!cut_any && !cut_least_bad()) return give_up();
+        cut_any = false;
+        for (std::int32_t c = first_, i = 0; i < count_; ++i, c = ring_[c].next) turn.push_back(c);
+      }
+      const std::int32_t c = turn.front();
+      turn.pop_front();
+      if (ring_[c].gone || !is_ear(c)) continue;
+      const std::int32_t before = cut(c);
+      cut_any = true;
+      turn.push_back(before);
+      turn.push_back(ring_[before].next);
+    }
+    if (!cuttable(first_) || !cuttable(ring_[first_].next)) return give_up();
+    close(first_);
+  }
+
+  bool cut_least_bad() {
+    if (count_ <= 3) return true;
+    const std::int32_t c = least_bad(first_);
+    if (!cuttable(c)) return false;
+    cut(c);
+    return true;
   }
 
   void give_up() { result_.triangles.clear(); }
@@ -241,6 +306,10 @@ class Clipper {
     ring_[a].owner = t;
     ring_[a].side = 1;
     ring_[a].bridge = 0;
+    ring_[c].gone = true;
+    if (first_ == c) first_ = a;
+    update_convexity(a);
+    update_convexity(d);
     --count_;
     return a;
   }
@@ -258,6 +327,7 @@ class Clipper {
   const std::vector<Vec2>& points_;
   std::vector<const Loop*> all_loops_;
   std::vector<Corner> ring_;
+  Buckets buckets_;
   std::vector<std::pair<std::int32_t, int>> half_;
   std::int32_t first_ = 0;
   int count_ = 0, bridges_ = 0;

@@ -12,7 +12,7 @@ namespace octet {
 
 struct FacetLimits {
   double deflection = 0.0;          ///< length: how far the surface may be from a facet
-  double angle = 0.35;              ///< radians between the normals at the ends of a side
+  double angle = 0.6;               ///< radians between the normals at the ends of a side
   std::size_t max_points = 200000;  ///< inside one face; where it is reached the facets stay coarser
 };
 

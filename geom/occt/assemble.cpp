@@ -51,7 +51,7 @@ AssembledPart assemble(const CadDocument& document, const ReadOptions& options, 
   log("analysing the topology");
   fill_topology(numbering, parts);
   log("triangulating the faces");
-  tessellate(numbering, options.facet_deflection, parts);
+  tessellate(numbering, options.facet_deflection, log, parts);
   log("measuring the entities");
   measure(numbering, parts);
   apply_labels(label_entities(document.labels, numbering, set), parts);

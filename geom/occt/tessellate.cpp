@@ -19,6 +19,7 @@
 #include "base/error.h"
 #include "geom/occt/canonical.h"
 #include "geom/occt/deviation.h"
+#include "geom/occt/triangulate_boundary.h"
 
 namespace octet {
 namespace {
@@ -36,12 +37,18 @@ struct FaceMesh {
   [[nodiscard]] Vec3 point(int i) const { return to_vec(triangulation->Node(i).Transformed(place)); }
 };
 
-void run_mesher(const Numbering& numbering, double deflection) {
+/// The solids without triangulations.
+TopoDS_Compound clean(const Numbering& numbering) {
   TopoDS_Compound all;
   BRep_Builder builder;
   builder.MakeCompound(all);
   for (int tag = 1; tag <= numbering.count(3); ++tag) builder.Add(all, numbering.solid(tag));
   BRepTools::Clean(all);
+  return all;
+}
+
+void run_mesher(const Numbering& numbering, double deflection) {
+  const TopoDS_Compound all = clean(numbering);
   const BRepMesh_IncrementalMesh mesher(all, deflection, false, kAngle, false);
 }
 
@@ -80,16 +87,21 @@ class Welder {
 
   void weld_edge(const TopoDS_Edge& edge, int face, FaceMesh& mesh) {
     const int tag = numbering_.tag(1, edge);
-    const auto polygon = BRep_Tool::PolygonOnTriangulation(edge, mesh.triangulation, mesh.place);
-    if (polygon.IsNull())
-      throw ModelError(fmt::format("Edge {} has no polygon on Face {}", tag, face), model_edge(tag));
-    const int n = polygon->NbNodes();
-    std::vector<std::uint32_t>& chain = chains_[tag];
-    if (chain.empty()) make_chain(tag, *polygon, mesh, chain);
-    if (static_cast<int>(chain.size()) != n)
-      throw ModelError(fmt::format("Edge {} is divided differently on Face {} and its neighbour", tag, face),
-                       model_edge(tag));
-    for (int k = 0; k < n; ++k) mesh.node[static_cast<std::size_t>(polygon->Node(k + 1))] = chain[k];
+    // The two sides of a seam or a slit have a polygon each.
+    for (const TopAbs_Orientation way : {TopAbs_FORWARD, TopAbs_REVERSED}) {
+      const auto polygon =
+          BRep_Tool::PolygonOnTriangulation(TopoDS::Edge(edge.Oriented(way)), mesh.triangulation, mesh.place);
+      if (polygon.IsNull())
+        throw ModelError(fmt::format("Edge {} has no polygon on Face {}", tag, face), model_edge(tag));
+      const int n = polygon->NbNodes();
+      std::vector<std::uint32_t>& chain = chains_[tag];
+      if (chain.empty()) make_chain(tag, *polygon, mesh, chain);
+      if (static_cast<int>(chain.size()) != n)
+        throw ModelError(
+            fmt::format("Edge {} is divided differently on Face {} and its neighbour", tag, face),
+            model_edge(tag));
+      for (int k = 0; k < n; ++k) mesh.node[static_cast<std::size_t>(polygon->Node(k + 1))] = chain[k];
+    }
   }
 
   /// End nodes are the vertices' own; those between lie on the 3D curve.
@@ -173,10 +185,9 @@ void require_closed(int region, const ModelParts& parts) {
   }
 }
 
-/// One attempt; throws where the mesher leaves a hole.
-void weld(const Numbering& numbering, double deflection, ModelParts& parts) {
+/// Welds the triangulations of the faces; throws where they leave a hole.
+void weld(const Numbering& numbering, ModelParts& parts) {
   parts.facets = {};
-  run_mesher(numbering, deflection);
   Welder welder(numbering, parts);
   for (int tag = 1; tag <= numbering.count(2); ++tag) welder.add_face(tag);
   for (int region = 1; region <= numbering.count(3); ++region) require_closed(region, parts);
@@ -185,7 +196,7 @@ void weld(const Numbering& numbering, double deflection, ModelParts& parts) {
 
 }  // namespace
 
-void tessellate(const Numbering& numbering, double deflection, ModelParts& parts) {
+void tessellate(const Numbering& numbering, double deflection, const StageLog& log, ModelParts& parts) {
   Box3 box;
   for (std::size_t v = 1; v < parts.vertices.size(); ++v) box.add(parts.vertices[v].point);
   for (std::size_t e = 1; e < parts.edges.size(); ++e)
@@ -194,17 +205,27 @@ void tessellate(const Numbering& numbering, double deflection, ModelParts& parts
         box.add(
             parts.curves[e]->point(parts.edges[e].t0 + i / 8.0 * (parts.edges[e].t1 - parts.edges[e].t0)));
   if (deflection <= 0.0) deflection = kDeflectionShare * box.diagonal();
-  // The mesher now and then loses a face or a piece of one where loops nearly touch; another spacing of the
-  // nodes along the edges then often succeeds.
   std::optional<ModelError> first;
-  for (const double share : {1.0, 0.4, 0.15, 2.3}) {
+  const auto succeeds = [&](const auto& triangulate) {
     try {
-      weld(numbering, share * deflection, parts);
-      return;
+      triangulate();
+      weld(numbering, parts);
+      return true;
     } catch (const ModelError& error) {
       if (!first) first = error;
+      return false;
     }
-  }
+  };
+  const auto own = [&] {
+    (void)clean(numbering);
+    triangulate_boundary(numbering, parts, deflection, log);
+  };
+  if (succeeds(own)) return;
+  // OCCT's mesher takes loops that are not closed; it now and then loses a face or a piece of one where loops
+  // nearly touch, and another spacing of the nodes along the edges then often succeeds.
+  log("triangulating the faces with OCCT's mesher");
+  for (const double share : {1.0, 0.4, 0.15, 2.3})
+    if (succeeds([&] { run_mesher(numbering, share * deflection); })) return;
   throw ModelError(*first);
 }
 

@@ -3,13 +3,15 @@
 #pragma once
 
 #include "geom/model.h"
+#include "geom/occt/child_process.h"
 #include "geom/occt/numbering.h"
 
 namespace octet {
 
 /// Triangulates the faces (their OCCT triangulation is replaced) and fills `parts.facets`, welded by
-/// topology, with measured deviations. `deflection` 0: a two-thousandth of the diagonal. ModelError: a face
+/// topology, with measured deviations: by triangulate_boundary(), or by OCCT's mesher where that fails.
+/// `deflection` 0: a two-thousandth of the diagonal. ModelError: a face
 /// that cannot be triangulated, a region whose facets are not closed (entity and place).
-void tessellate(const Numbering& numbering, double deflection, ModelParts& parts);
+void tessellate(const Numbering& numbering, double deflection, const StageLog& log, ModelParts& parts);
 
 }  // namespace octet

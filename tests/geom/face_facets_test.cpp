@@ -72,7 +72,9 @@ void expect_triangulated(const FaceLoops& loops, double area, bool all_positive)
   expect_closed(loops, triangles);
   int turned = 0;
   EXPECT_NEAR(area_of(plane, turned), area, 1e-9 * std::abs(area));
-  if (all_positive) EXPECT_EQ(turned, 0);
+  if (all_positive) {
+    EXPECT_EQ(turned, 0);
+  }
   for (std::int32_t t = 0; t < static_cast<std::int32_t>(plane.triangles.size()); ++t)
     for (int k = 0; k < 3; ++k) {
       const std::int32_t u = plane.triangles[t].neighbour[k];
