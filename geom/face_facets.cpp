@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
 #include <tuple>
 
 #include "geom/facet_bvh.h"
@@ -16,7 +15,7 @@ namespace {
 constexpr int kPasses = 24;
 
 /// Mean lengths of the derivatives: in (u,v) scaled by them circles are nearly circles on the surface.
-Vec2 metric_scale(const Surface& surface, const std::vector<Vec2>& uv) {
+Vec2 metric_scale(const SurfaceJets& surface, const std::vector<Vec2>& uv) {
   Vec2 sum = Vec2::Zero();
   Vec2 lo = uv.front(), hi = uv.front();
   for (const Vec2& p : uv) {
@@ -27,7 +26,7 @@ Vec2 metric_scale(const Surface& surface, const std::vector<Vec2>& uv) {
   for (int i = 0; i < kGrid; ++i)
     for (int j = 0; j < kGrid; ++j) {
       const Vec2 at = lo + (hi - lo).cwiseProduct(Vec2((i + 0.5) / kGrid, (j + 0.5) / kGrid));
-      const SurfaceJet jet = surface.evaluate(at, 1);
+      const SurfaceJet jet = surface(at, 1);
       sum += Vec2(jet.du.norm(), jet.dv.norm());
     }
   const auto usable = [](double x) { return std::isfinite(x) && x > 0.0 ? x : 1.0; };
@@ -37,14 +36,14 @@ Vec2 metric_scale(const Surface& surface, const std::vector<Vec2>& uv) {
 /// Puts points where the facets are too far from the surface or too flat for its curvature.
 class Refiner {
  public:
-  Refiner(const Surface& surface, PlanarTriangulation& plane, const Vec2& scale, const FacetLimits& limits)
+  Refiner(const SurfaceJets& surface, PlanarTriangulation& plane, const Vec2& scale,
+          const FacetLimits& limits)
       : surface_(surface), plane_(plane), scale_(scale), limits_(limits), given_(plane.points.size()) {
     cosine_ = std::cos(limits.angle);
     for (std::uint32_t i = 0; i < plane.points.size(); ++i) add_point(i);
   }
 
   void run() {
-    if (std::string_view(surface_.kind()) == "plane") return;
     for (int pass = 0; pass < kPasses; ++pass)
       if (!split_all()) return;
   }
@@ -58,8 +57,11 @@ class Refiner {
 
   void add_point(std::uint32_t i) {
     const Vec2 at = uv(plane_.points[i]);
-    position_.push_back(surface_.evaluate(at, 0).p);
-    normal_.push_back(surface_.normal(at));
+    const SurfaceJet jet = surface_(at, 1);
+    const Vec3 across = jet.du.cross(jet.dv);
+    const double length = across.norm();
+    position_.push_back(jet.p);
+    normal_.push_back(length > 0.0 ? Vec3(across / length) : Vec3::Zero());
   }
 
   [[nodiscard]] bool full() const { return plane_.points.size() - given_ >= limits_.max_points; }
@@ -72,15 +74,14 @@ class Refiner {
                        normal_[i].dot(normal_[j]) < cosine_;
     if (turns && length > 4.0 * limits_.deflection) return true;
     for (const double share : {0.5, 0.25, 0.75}) {
-      const Vec3 p = surface_.evaluate(uv((1.0 - share) * plane_.points[i] + share * plane_.points[j]), 0).p;
+      const Vec3 p = surface_(uv((1.0 - share) * plane_.points[i] + share * plane_.points[j]), 0).p;
       if (closest_on_triangle(p, a, b, b).distance > limits_.deflection) return true;
     }
     return false;
   }
 
   [[nodiscard]] bool centre_too_far(const std::array<std::uint32_t, 3>& c) const {
-    const Vec3 p =
-        surface_.evaluate(uv((plane_.points[c[0]] + plane_.points[c[1]] + plane_.points[c[2]]) / 3.0), 0).p;
+    const Vec3 p = surface_(uv((plane_.points[c[0]] + plane_.points[c[1]] + plane_.points[c[2]]) / 3.0), 0).p;
     return closest_on_triangle(p, position_[c[0]], position_[c[1]], position_[c[2]]).distance >
            limits_.deflection;
   }
@@ -108,7 +109,7 @@ class Refiner {
     return split;
   }
 
-  const Surface& surface_;
+  const SurfaceJets& surface_;
   PlanarTriangulation& plane_;
   Vec2 scale_;
   FacetLimits limits_;
@@ -146,7 +147,8 @@ bool cross(const std::vector<Vec2>& uv, const LoopSide& x, const LoopSide& y) {
 
 }  // namespace
 
-FaceFacets facet_face(const Surface& surface, const FaceLoops& loops, const FacetLimits& limits) {
+FaceFacets facet_face(const SurfaceJets& surface, bool planar, const FaceLoops& loops,
+                      const FacetLimits& limits) {
   FaceFacets result;
   if (loops.uv.empty()) return result;
   const Vec2 scale = metric_scale(surface, loops.uv);
@@ -156,7 +158,7 @@ FaceFacets facet_face(const Surface& surface, const FaceLoops& loops, const Face
   PlanarTriangulation plane = triangulate_loops(std::move(scaled), loops.loops);
   if (plane.triangles.empty()) return result;
   Refiner refiner(surface, plane, scale, limits);
-  refiner.run();
+  if (!planar) refiner.run();
   result.uv = loops.uv;
   for (std::size_t i = loops.uv.size(); i < plane.points.size(); ++i)
     result.uv.push_back(plane.points[i].cwiseQuotient(scale));

@@ -4,11 +4,15 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "geom/surface.h"
 
 namespace octet {
+
+/// Point and derivatives at (u,v), as Surface::evaluate().
+using SurfaceJets = std::function<SurfaceJet(const Vec2& uv, int derivatives)>;
 
 struct FacetLimits {
   double deflection = 0.0;          ///< length: how far the surface may be from a facet
@@ -31,7 +35,7 @@ struct FaceFacets {
 /// Every side of every loop is a side of one facet, in the loop's direction, and all others join two facets:
 /// so facets of neighbouring faces close, also where loops cross themselves. Deviations are aimed at from
 /// samples and not guaranteed. No triangles: no loop has the face on its left.
-[[nodiscard]] FaceFacets facet_face(const Surface& surface, const FaceLoops& loops,
+[[nodiscard]] FaceFacets facet_face(const SurfaceJets& surface, bool planar, const FaceLoops& loops,
                                     const FacetLimits& limits);
 
 /// Pairs of sides (loop, index of the side's first corner) that cross in (u,v) and share no corner.

@@ -22,6 +22,7 @@
 
 #include "base/error.h"
 #include "geom/facet_bvh.h"
+#include "geom/occt/canonical.h"
 #include "geom/occt/face_loops.h"
 
 namespace octet {
@@ -39,9 +40,9 @@ class Chain {
  public:
   Chain(const Curve& curve, double deflection) : curve_(curve), deflection_(deflection) {}
 
-  std::vector<double> run(const ModelEdge& edge) {
+  std::vector<double> run(const ModelEdge& edge, bool in_lens) {
     const bool line = std::string_view(curve_.kind()) == "line";
-    const int pieces = edge.vertex[0] == edge.vertex[1] ? 4 : line ? 1 : 2;
+    const int pieces = edge.vertex[0] == edge.vertex[1] ? 4 : in_lens && !line ? 2 : 1;
     parameters_ = {edge.t0};
     for (int i = 0; i < pieces; ++i) {
       const double a = edge.t0 + i * (edge.t1 - edge.t0) / pieces,
@@ -83,11 +84,22 @@ std::vector<double> even_steps(double a, double b, std::size_t count) {
   return steps;
 }
 
+/// Edges of faces with no more than two sides: with one chord each nothing would lie between them.
+std::vector<bool> edges_of_lenses(const ModelParts& parts) {
+  std::vector<bool> in_lens(parts.edges.size(), false);
+  for (const ModelFace& face : parts.faces)
+    if (face.boundary.size() <= 2)
+      for (const FaceBoundary& side : face.boundary) in_lens[side.edge] = true;
+  return in_lens;
+}
+
 EdgeChains make_chains(double deflection, const ModelParts& parts) {
   EdgeChains chains(parts.edges.size());
+  const std::vector<bool> in_lens = edges_of_lenses(parts);
   for (std::size_t e = 1; e < parts.edges.size(); ++e)
-    chains[e] = parts.curves[e] ? Chain(*parts.curves[e], kEdgeShare * deflection).run(parts.edges[e])
-                                : even_steps(parts.edges[e].t0, parts.edges[e].t1, kPolePoints);
+    chains[e] = parts.curves[e]
+                    ? Chain(*parts.curves[e], kEdgeShare * deflection).run(parts.edges[e], in_lens[e])
+                    : even_steps(parts.edges[e].t0, parts.edges[e].t1, kPolePoints);
   return chains;
 }
 
@@ -171,11 +183,11 @@ class FaceWriter {
   void write(const FacePolygons& polygons, const FaceFacets& made) {
     const int nodes = static_cast<int>(made.uv.size()), triangles = static_cast<int>(made.triangles.size());
     Handle(Poly_Triangulation) triangulation = new Poly_Triangulation(nodes, triangles, true);
-    const Surface& surface = *parts_.surfaces[tag_];
+    const SurfaceJets jets = occt_jets(*parts_.surfaces[tag_]);
     const gp_Trsf to_face = place_.Transformation().Inverted();
     const std::size_t given = polygons.loops.uv.size();
     for (std::size_t i = 0; i < made.uv.size(); ++i) {
-      const Vec3 p = i < given ? surface.evaluate(made.uv[i], 0).p : made.inner[i - given];
+      const Vec3 p = i < given ? jets(made.uv[i], 0).p : made.inner[i - given];
       const int number = static_cast<int>(i) + 1;
       triangulation->SetNode(number, gp_Pnt(p.x(), p.y(), p.z()).Transformed(to_face));
       triangulation->SetUVNode(number, gp_Pnt2d(made.uv[i].x(), made.uv[i].y()));
@@ -242,7 +254,9 @@ void triangulate_boundary(const Numbering& numbering, const ModelParts& parts, d
     if (!done.Add(numbering.face(tag).Located(TopLoc_Location()).Oriented(TopAbs_FORWARD))) continue;
     log(fmt::format("triangulating Face {}", tag));
     const FacePolygons polygons = face_polygons(numbering, tag, chains, parts);
-    const FaceFacets made = facet_face(*parts.surfaces[tag], polygons.loops, limits);
+    const Surface& surface = *parts.surfaces[tag];
+    const FaceFacets made =
+        facet_face(occt_jets(surface), std::string_view(surface.kind()) == "plane", polygons.loops, limits);
     if (made.triangles.empty())
       throw ModelError(fmt::format("Face {} cannot be triangulated: nothing is inside its loops", tag),
                        model_face(tag));

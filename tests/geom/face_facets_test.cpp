@@ -26,6 +26,10 @@ void add_loop(FaceLoops& loops, const std::vector<Vec2>& points) {
   loops.loops.push_back(loop);
 }
 
+SurfaceJets jets_of(const Surface& surface) {
+  return [&surface](const Vec2& uv, int derivatives) { return surface.evaluate(uv, derivatives); };
+}
+
 std::vector<Vec2> circle(const Vec2& centre, double radius, int n, int way = 1) {
   std::vector<Vec2> points;
   for (int i = 0; i < n; ++i) {
@@ -177,7 +181,7 @@ TEST(FaceFacets, FollowACylinderWithinTheDeflection) {
   add_loop(loops, border);
   FacetLimits limits;
   limits.deflection = 0.05;
-  const FaceFacets facets = facet_face(*surface, loops, limits);
+  const FaceFacets facets = facet_face(jets_of(*surface), false, loops, limits);
   ASSERT_FALSE(facets.triangles.empty());
   expect_closed(loops, facets.triangles);
   double area = 0.0;
@@ -196,7 +200,7 @@ TEST(FaceFacets, PutPointsInsideASphereOfOneCoarseLoop) {
   add_loop(loops, {{0, 0}, {kPi / 2, 0}, {kPi, 0}, {kPi, 1.2}, {kPi / 2, 1.2}, {0, 1.2}});
   FacetLimits limits;
   limits.deflection = 0.002;
-  const FaceFacets facets = facet_face(*surface, loops, limits);
+  const FaceFacets facets = facet_face(jets_of(*surface), false, loops, limits);
   expect_closed(loops, facets.triangles);
   EXPECT_GT(facets.inner.size(), 50u);
   for (const Vec3& p : facets.inner) EXPECT_NEAR(p.norm(), 1.0, 1e-12);
