@@ -30,12 +30,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-double positive_length(const char* option, double value, const LengthUnit& unit) {
-  if (!std::isfinite(value) || value <= 0.0)
-    throw InputError(fmt::format("{} must be a positive length, not {}", option, value));
-  return value * unit.millimetres;
-}
-
 std::size_t element_limit(double value) {
   if (!std::isfinite(value) || value < 1.0)
     throw InputError(fmt::format("--max-elements must be at least 1, not {}", value));
@@ -45,10 +39,7 @@ std::size_t element_limit(double value) {
 
 MeshOptions mesh_options(const MeshCommand& command, const LengthUnit& unit) {
   MeshOptions options;
-  if (command.size) options.size = positive_length("--size", *command.size, unit);
-  if (command.min_size) options.min_size = positive_length("--min-size", *command.min_size, unit);
-  if (command.size && command.min_size && options.min_size > options.size)
-    throw InputError(fmt::format("--min-size {} is larger than --size {}", *command.min_size, *command.size));
+  apply_sizes(command.sizes, unit, options);
   if (command.max_elements) options.max_elements = element_limit(*command.max_elements);
   options.threads =
       command.threads.value_or(static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));

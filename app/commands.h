@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "app/size_words.h"
 #include "geom/occt/read_part.h"
 
 namespace octet {
@@ -14,10 +15,10 @@ namespace octet {
 struct MeshCommand {
   std::filesystem::path part, output, report, dump_directory;
   ReadOptions reading;
-  std::optional<double> size, min_size;  ///< in `unit`
-  std::string unit;                      ///< empty: millimetre
-  std::string format;                    ///< empty: by the output's suffix
-  std::optional<int> threads;            ///< none: one per core
+  SizeWords sizes;             ///< in `unit`
+  std::string unit;            ///< empty: millimetre
+  std::string format;          ///< empty: by the output's suffix
+  std::optional<int> threads;  ///< none: one per core
   std::optional<double> max_elements;
   bool finalize = true;
   bool quiet = false, verbose = false;

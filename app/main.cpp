@@ -6,11 +6,14 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/exit_code.h"
 #include "app/reading_options.h"
+#include "app/size_options.h"
 #include "base/error.h"
 
 namespace octet {
@@ -63,10 +66,7 @@ void add_mesh(CLI::App& app, MeshCommand& mesh) {
   sub.add_option("-o,--output", mesh.output, "Mesh file to write (.msh or .vtu)")
       ->required()
       ->type_name("FILE");
-  sub.add_option("--size", mesh.size, "Edge length of the elements (default: from the part's dimensions)")
-      ->type_name("LENGTH");
-  sub.add_option("--min-size", mesh.min_size, "Refine no further than this (default: size / 32)")
-      ->type_name("LENGTH");
+  add_size_options(sub, mesh.sizes);
   sub.add_option("--unit", mesh.unit, kUnitHelp)->type_name("UNIT");
   sub.add_option("--format", mesh.format, "msh41, msh41-ascii, msh22, msh22-ascii, vtu (default: by suffix)")
       ->type_name("FORMAT");
@@ -159,7 +159,11 @@ int run(int argc, char** argv) {
   add_quality(app, quality);
   add_improve(app, improve);
   try {
-    app.parse(argc, argv);
+    std::vector<std::string> words = with_config({argv + 1, argv + argc});
+    std::reverse(words.begin(), words.end());  // as the parser wants them
+    app.parse(std::move(words));
+  } catch (const Error& error) {
+    return complain(error.what(), kExitBadInput);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
     return complain(std::string(error.what()) + "; see octet --help", kExitBadInput);

@@ -11,15 +11,14 @@
 #include "base/observer.h"
 #include "classify/acceptance.h"
 #include "geom/model.h"
+#include "geom/size_plan.h"
 #include "mesh/mesh.h"
 #include "mesh/quality.h"
 
 namespace octet {
 
-struct MeshOptions {
-  double size = 0.0;             ///< edge length asked for, model units (millimetre); 0: chosen from the part
-  double min_size = 0.0;         ///< local refinement stops here; 0: size / 32
-  double curvature_angle = 0.5;  ///< radians of turning per element; 0: off
+/// Sizes (geom/size_plan.h), and what else a run may be told.
+struct MeshOptions : SizeControl {
   std::size_t max_elements = 20'000'000;  ///< LimitError when more would be needed
   int threads = 1;                        ///< same bytes for any number
   bool finalize = true;

@@ -12,18 +12,13 @@
 #include "app/attempt.h"
 #include "app/measures.h"
 #include "app/mesh_part.h"
+#include "app/octant_sizes.h"
 #include "app/stage_clock.h"
 #include "classify/extract.h"
 #include "finalize/finalize.h"
-#include "geom/sizing.h"
 
 namespace octet {
 namespace {
-
-/// The most levels of local refinement below the size asked for, when no smallest size is given.
-constexpr double kFinestShare = 1.0 / 32.0;
-/// The same for curvature alone.
-constexpr double kFinestCurvedShare = 1.0 / 11.0;
 
 /// How often octants are subdivided where gaps survive.
 constexpr int kSubdivisions = 2;
@@ -67,55 +62,27 @@ class Run {
   }
 
   void choose_size() {
-    const double h = options_.size;
-    if (!std::isfinite(h) || h < 0.0)
-      throw InputError(fmt::format("the size must be a positive number, not {}", h));
-    size_ = h > 0.0 ? h : default_size(model_);
-    result_.report.size = size_;
+    if (!std::isfinite(options_.size) || options_.size < 0.0)
+      throw InputError(fmt::format("the size must be a positive number, not {}", options_.size));
+    const double h = global_size(model_, options_);
     double volume = 0.0;
     for (int r = 1; r <= model_.count(3); ++r) volume += model_.region(r).volume;
-    const double elements = 5.0 * volume / (size_ * size_ * size_);  // five tetrahedra an octant
-    if (elements > static_cast<double>(options_.max_elements))
+    const double elements = kTetsPerOctant * volume / std::pow(h / kEdgePerOctant, 3);
+    if (options_.attributes.empty() && elements > static_cast<double>(options_.max_elements))
       throw LimitError(
           fmt::format("size {:.6g} mm needs about {:.2g} elements, more than the limit of {}; "
                       "ask for a larger size or raise --max-elements",
-                      size_, elements, options_.max_elements));
+                      h, elements, options_.max_elements));
+    plan_ = plan_sizes(model_, options_);
+    result_.report.size = plan_.asked;
+    octant_ = octant_request(plan_).size;
   }
 
   [[nodiscard]] Octree build_tree() {
     begin("octree", 0.0);
-    const std::vector<SizeSample> samples = size_samples();
-    OctreeRequest request;
-    request.size = size_;
-    Octree tree = build_octree(model_, request, samples);
-    observer_.note(fmt::format("octree: {} octants, {} size samples", tree.size(), samples.size()));
+    Octree tree = build_octree(model_, octant_request(plan_), octant_samples(plan_));
+    observer_.note(fmt::format("octree: {} octants, {} size samples", tree.size(), plan_.samples.size()));
     return tree;
-  }
-
-  [[nodiscard]] double finest_size() const {
-    return options_.min_size > 0.0 ? options_.min_size : kFinestShare * size_;
-  }
-
-  /// The part's own wishes: short edges and gaps are resolved down to the finest size, curvature alone not so
-  /// far, since a small fillet is well served by elements of its own width.
-  [[nodiscard]] std::vector<SizeSample> size_samples() const {
-    SizingOptions gaps;
-    gaps.size = size_;
-    gaps.min_size = finest_size();
-    gaps.curvature_angle = 0.0;
-    std::vector<SizeSample> samples = feature_sizes(model_, gaps);
-    if (options_.curvature_angle > 0.0) {
-      SizingOptions curvature = gaps;
-      curvature.min_size = std::max(gaps.min_size, kFinestCurvedShare * size_);
-      curvature.curvature_angle = options_.curvature_angle;
-      curvature.edge_share = std::numeric_limits<double>::infinity();
-      curvature.gap_share = 0.0;
-      const std::vector<SizeSample> curved = feature_sizes(model_, curvature);
-      samples.insert(samples.end(), curved.begin(), curved.end());
-    }
-    // Octants come in powers of two: a wish is met to the nearest one, not to the next smaller.
-    for (SizeSample& sample : samples) sample.size *= M_SQRT2;
-    return samples;
   }
 
   /// Points, triangulation, attribute points; where gaps survive, their octants are subdivided and the band
@@ -127,7 +94,7 @@ class Run {
       result_.report.rounds += next->closed.rounds;
       if (!band_ || next->closed.gaps.size() < band_->closed.gaps.size()) band_ = std::move(next);
       if (band_->closed.gaps.empty() || depth == kSubdivisions) break;
-      std::optional<Octree> finer = subdivide_at_gaps(*band_, 0.5 * finest_size());
+      std::optional<Octree> finer = subdivide_at_gaps(*band_, 0.5 * finest_octant());
       if (!finer) break;
       observer_.note(fmt::format("{} gaps left: their octants subdivided, {} octants now",
                                  band_->closed.gaps.size(), finer->size()));
@@ -136,6 +103,8 @@ class Run {
     for (const Gap& gap : band_->closed.gaps) result_.report.faults.push_back(describe_gap(model_, gap));
   }
 
+  [[nodiscard]] double finest_octant() const { return plan_.min_size / kEdgePerOctant; }
+
   [[nodiscard]] std::unique_ptr<Attempt> attempt(Octree tree) {
     auto next = std::make_unique<Attempt>(std::move(tree));
     begin("cuts", 0.1);
@@ -143,7 +112,7 @@ class Run {
     for (const Fault& fault : next->labels.conflicts) observer_.note("parity: " + fault.cause);
     check_limit(*next);
     begin("points", 0.2);
-    place_points(*next, model_, size_);
+    place_points(*next, model_, octant_);
     observer_.note(fmt::format("points: {} on the boundary, {} in all, {} triangulated; {} template octants",
                                next->seeds.surface_points, next->seeds.points.size(), next->split.band.size(),
                                next->split.templates));
@@ -152,8 +121,8 @@ class Run {
     begin("classification", 0.45);
     AttributeLimits limits;
     limits.points = 4 * next->seeds.surface_points + 2000;
-    limits.floor = 1e-3 * size_ * kFinestShare;
-    classify(*next, model_, size_, limits, observer_);
+    limits.floor = 1e-3 * finest_octant();
+    classify(*next, model_, octant_, limits, observer_);
     return next;
   }
 
@@ -166,7 +135,7 @@ class Run {
       throw LimitError(fmt::format(
           "size {:.6g} mm, with the part's small features, needs about {} elements, more than the limit "
           "of {}; ask for a larger size, set --min-size, or raise --max-elements",
-          size_, 5 * inside, options_.max_elements));
+          plan_.asked, 5 * inside, options_.max_elements));
   }
 
   void extract() {
@@ -231,7 +200,8 @@ class Run {
   Observer& observer_;
   MeshResult result_;
   StageClock clock_;
-  double size_ = 0.0;
+  SizePlan plan_;
+  double octant_ = 0.0;             ///< length of the coarsest octants of the part
   std::size_t fixed_vertices_ = 0;  ///< the first vertices of the mesh, which the deep interior shares
   std::size_t stage_ = std::numeric_limits<std::size_t>::max();  ///< index of the running stage's time
   std::unique_ptr<Attempt> band_;

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "geom/facet_bvh.h"
+#include "geom/size_wishes.h"
 
 namespace octet {
 namespace {
@@ -84,22 +85,6 @@ class ChordIndex {
   std::vector<Chord> chord_;
 };
 
-/// Gathers wishes below the size asked for, none below the smallest.
-class Wishes {
- public:
-  explicit Wishes(const SizingOptions& options) : options_(options) {}
-  [[nodiscard]] double floored(double size) const { return std::max(size, options_.min_size); }
-  [[nodiscard]] bool counts(double size) const { return floored(size) < options_.size; }
-  void add(const Vec3& place, double size) {
-    if (counts(size)) samples_.push_back({place, floored(size)});
-  }
-  std::vector<SizeSample> take() { return std::move(samples_); }
-
- private:
-  SizingOptions options_;
-  std::vector<SizeSample> samples_;
-};
-
 /// Turning per length between the steps gives the curvature without second derivatives, kinks included.
 double turning_size(const EdgeWalk& walk, std::size_t step, double angle) {
   const double turn = angle_between(walk.tangent[step], walk.tangent[step + 1]);
@@ -107,78 +92,78 @@ double turning_size(const EdgeWalk& walk, std::size_t step, double angle) {
   return turn > 1e-9 ? angle * length / turn : std::numeric_limits<double>::infinity();
 }
 
-void wish_on_edge(const Model& model, const EdgeWalk& walk, const ChordIndex& index,
-                  const SizingOptions& options, Wishes& wishes) {
+/// What is wished for between two steps of a walk, and why.
+struct StepWish {
+  double size;
+  SizeReason why;
+  void lower_to(double other, SizeReason reason) {
+    if (other >= size) return;
+    size = other;
+    why = reason;
+  }
+};
+
+void wish_along(const Model& model, const EdgeWalk& walk, const ChordIndex& index,
+                const SizingOptions& options, Wishes& wishes) {
   const ModelEdge& edge = model.edge(walk.edge);
-  const double whole = edge.vertex[0] != edge.vertex[1] && options.edge_share > 0.0
-                           ? options.edge_share * edge.length
-                           : std::numeric_limits<double>::infinity();
+  const bool has_length = edge.vertex[0] != edge.vertex[1] && options.edge_share > 0.0;
   const auto gap_at = [&](std::size_t i) {
-    if (!(options.gap_share > 0.0)) return std::numeric_limits<double>::infinity();
-    return options.gap_share * index.gap(walk.edge, walk.point[i], options.size / options.gap_share);
+    if (!(options.edge_gap_elements > 0.0)) return std::numeric_limits<double>::infinity();
+    const double limit = options.size * options.edge_gap_elements;
+    return index.gap(walk.edge, walk.point[i], limit) / options.edge_gap_elements;
   };
   double gap = gap_at(0);
   for (std::size_t i = 0; i + 1 < walk.point.size(); ++i) {
     const double next_gap = gap_at(i + 1);
-    double size = std::min({whole, gap, next_gap});
-    if (options.curvature_angle > 0.0) size = std::min(size, turning_size(walk, i, options.curvature_angle));
+    StepWish wish{options.size, SizeReason::kGlobal};
+    if (has_length) wish.lower_to(options.edge_share * edge.length, SizeReason::kShortEdge);
+    wish.lower_to(std::min(gap, next_gap), SizeReason::kEdgeGap);
+    if (options.curvature_angle > 0.0)
+      wish.lower_to(std::max(turning_size(walk, i, options.curvature_angle), options.curvature_floor),
+                    SizeReason::kCurvature);
     gap = next_gap;
-    if (!wishes.counts(size)) continue;
-    const double length = (walk.point[i + 1] - walk.point[i]).norm();
-    const int pieces = std::clamp(static_cast<int>(std::ceil(length / wishes.floored(size))), 1, 4096);
-    for (int k = 0; k <= pieces; ++k)
-      wishes.add(model.edge_point(walk.edge, walk.t[i] + (walk.t[i + 1] - walk.t[i]) * k / pieces), size);
+    wish_on_edge(model, walk.edge, walk.t[i], walk.t[i + 1], wish.size, {model_edge(walk.edge), wish.why},
+                 wishes);
   }
 }
 
-/// A facet is curved as its most curved corner; facets larger than the wish get a lattice of samples.
-void wish_on_facet(const Facets& facets, std::size_t triangle, double size, Wishes& wishes) {
-  const auto& t = facets.triangles[triangle];
-  const Vec3 &a = facets.nodes[t[0]], &b = facets.nodes[t[1]], &c = facets.nodes[t[2]];
-  const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
-  const int n = std::clamp(static_cast<int>(std::ceil(longest / wishes.floored(size))), 1, 256);
-  if (n == 1) {
-    wishes.add((a + b + c) / 3.0, size);
-    return;
-  }
-  for (int i = 0; i <= n; ++i)
-    for (int j = 0; i + j <= n; ++j) wishes.add(a + (b - a) * i / n + (c - a) * j / n, size);
-}
-
-void wish_on_faces(const Model& model, double angle, Wishes& wishes) {
+/// A facet is curved as its most curved corner.
+void wish_on_faces(const Model& model, const SizingOptions& options, Wishes& wishes) {
   const Facets& facets = model.facets();
   for (std::size_t i = 0; i < facets.triangles.size(); ++i) {
     const int face = facets.face[i];
     if (std::string_view(model.surface(face).kind()) == "plane") continue;
     double curvature = 0.0;
     for (const Vec2& uv : facets.uv[i]) curvature = std::max(curvature, model.face_curvature(face, uv));
-    if (curvature > 0.0 && wishes.counts(angle / curvature))
-      wish_on_facet(facets, i, angle / curvature, wishes);
+    if (curvature > 0.0)
+      wish_on_triangle(facet_corners(facets, i),
+                       std::max(options.curvature_angle / curvature, options.curvature_floor),
+                       {model_face(face), SizeReason::kCurvature}, wishes);
   }
 }
 
 }  // namespace
 
 std::vector<SizeSample> feature_sizes(const Model& model, const SizingOptions& options) {
-  Wishes wishes(options);
+  Wishes wishes(options.size, options.min_size);
   std::vector<EdgeWalk> walks;
   for (int e = 1; e <= model.count(1); ++e)
     if (model.edge(e).use == EdgeUse::kReal) walks.push_back(walk_edge(model, e, 0.5 * options.size));
   const ChordIndex index(model, walks);
-  for (const EdgeWalk& walk : walks) wish_on_edge(model, walk, index, options, wishes);
-  if (options.curvature_angle > 0.0) wish_on_faces(model, options.curvature_angle, wishes);
+  for (const EdgeWalk& walk : walks) wish_along(model, walk, index, options, wishes);
+  if (options.curvature_angle > 0.0) wish_on_faces(model, options, wishes);
   return wishes.take();
 }
 
 // Twice the volume over the surface is the thickness of a plate and a third of a cube's side. The size is
-// that thickness, but no coarser than a twentieth of the diagonal, which is what compact parts get, and no
-// finer than a hundredth, so that a thin sheet costs no more than about a hundred elements each way.
+// that thickness, but no coarser than a seventeenth of the diagonal, which is what compact parts get, and no
+// finer than an 85th, so that a thin sheet costs no more than about a hundred elements each way.
 double default_size(const Model& model) {
   double volume = 0.0, area = 0.0;
   for (int r = 1; r <= model.count(3); ++r) volume += std::abs(model.region(r).volume);
   for (int f = 1; f <= model.count(2); ++f) area += std::abs(model.face(f).area);
-  const double coarsest = model.diagonal() / 20.0, finest = model.diagonal() / 100.0;
-  return area > 0.0 ? std::clamp(2.0 * volume / area, finest, coarsest) : coarsest;
+  const double coarsest = model.diagonal() / 17.0, finest = model.diagonal() / 85.0;
+  return area > 0.0 ? std::clamp(2.3 * volume / area, finest, coarsest) : coarsest;
 }
 
 }  // namespace octet

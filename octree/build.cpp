@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "octree/balance.h"
+#include "octree/gradation.h"
 #include "octree/octree.h"
 
 namespace octet {
@@ -40,49 +41,70 @@ void check_count(const SplitKeys& splits, const OctreeRequest& request) {
 
 enum class Place : std::uint8_t { kOutside, kInside, kBoundary };
 
-/// Where octants of one level lie, each by itself: the answer does not depend on the threads.
-std::vector<Place> places(const Model& model, const Root& root, const std::vector<MortonKey>& keys,
-                          int level) {
-  std::vector<Place> result(keys.size());
-  tbb::parallel_for(std::size_t{0}, keys.size(), [&](std::size_t i) {
-    const Box3 box = root.box(octant_of(keys[i], level));
-    if (model.near_boundary(box)) {
-      result[i] = Place::kBoundary;
-    } else {
-      result[i] = model.region_at(box.centre()) != 0 ? Place::kInside : Place::kOutside;
-    }
+/// An octant on the way down: where it lies, and its region when it lies inside one.
+struct Candidate {
+  MortonKey key = 0;
+  Place place = Place::kBoundary;
+  int region = 0;
+};
+
+/// Where octants of one level lie, each by itself: the answer does not depend on the threads. Those inside
+/// are known from their parents.
+void find_places(const Model& model, const Root& root, int level, std::vector<Candidate>& octants) {
+  tbb::parallel_for(std::size_t{0}, octants.size(), [&](std::size_t i) {
+    Candidate& octant = octants[i];
+    if (octant.place == Place::kInside) return;
+    const Box3 box = root.box(octant_of(octant.key, level));
+    if (model.near_boundary(box)) return;
+    octant.region = model.region_at(box.centre());
+    octant.place = octant.region != 0 ? Place::kInside : Place::kOutside;
   });
-  return result;
 }
 
-/// Splits all octants under `key` (of level `level`) from its own level down to `last`.
-void split_whole(SplitKeys& splits, MortonKey key, int level, int last) {
-  for (int l = level; l <= last; ++l) {
-    const int shift = 3 * (l - level);
-    for (MortonKey k = key << shift; k < (key + 1) << shift; ++k) splits.at[l].push_back(k);
+/// Whether an octant is to be split for its own sake: above the level of the size asked for always, below it
+/// where its region or the field want smaller ones.
+class SplitRule {
+ public:
+  SplitRule(const PlacedRoot& placed, const OctreeRequest& request) : placed_(placed), request_(request) {}
+
+  [[nodiscard]] bool may_split(int level) const {
+    return level < placed_.level ||
+           (level < kLatticeLevels && (request_.field || !request_.region_size.empty()));
   }
-}
+  [[nodiscard]] bool operator()(const Candidate& octant, int level) const {
+    if (level < placed_.level) return true;
+    double wanted = kNoSize;
+    const auto region = static_cast<std::size_t>(octant.region);
+    if (octant.place == Place::kInside && region < request_.region_size.size())
+      wanted = request_.region_size[region];
+    if (request_.field)
+      wanted = std::min(wanted, request_.field(placed_.root.box(octant_of(octant.key, level))));
+    return placed_.root.length(level) > wanted * kSizeSlack;
+  }
 
-/// Octants that meet the inside or the boundary are split until they have level `finest`. Those wholly inside
-/// need no more queries, those outside stay.
+ private:
+  const PlacedRoot& placed_;
+  const OctreeRequest& request_;
+};
+
+/// Octants that meet the inside or the boundary are split until they have the size asked for there; those
+/// outside stay.
 SplitKeys split_for_model(const Model& model, const PlacedRoot& placed, const OctreeRequest& request) {
   SplitKeys splits;
-  std::vector<MortonKey> boundary{0};
-  for (int level = 0; level < placed.level; ++level) {
-    splits.at[level].insert(splits.at[level].end(), boundary.begin(), boundary.end());
+  const SplitRule rule(placed, request);
+  std::vector<Candidate> octants{{}};
+  for (int level = 0; !octants.empty() && rule.may_split(level); ++level) {
+    std::vector<Candidate> children;
+    for (const Candidate& octant : octants) {
+      if (octant.place == Place::kOutside || !rule(octant, level)) continue;
+      splits.at[level].push_back(octant.key);
+      for (MortonKey child = 0; child < 8; ++child)
+        children.push_back({octant.key << 3 | child, octant.place, octant.region});
+    }
     check_count(splits, request);
-    if (level + 1 == placed.level) break;
-    std::vector<MortonKey> children;
-    children.reserve(8 * boundary.size());
-    for (const MortonKey key : boundary) {
-      for (MortonKey child = 0; child < 8; ++child) children.push_back(key << 3 | child);
-    }
-    const std::vector<Place> place = places(model, placed.root, children, level + 1);
-    boundary.clear();
-    for (std::size_t i = 0; i < children.size(); ++i) {
-      if (place[i] == Place::kBoundary) boundary.push_back(children[i]);
-      if (place[i] == Place::kInside) split_whole(splits, children[i], level + 1, placed.level - 1);
-    }
+    if (!rule.may_split(level + 1)) break;
+    find_places(model, placed.root, level + 1, children);
+    octants = std::move(children);
   }
   return splits;
 }
@@ -113,7 +135,7 @@ Octree build_octree(const Model& model, const OctreeRequest& request, std::span<
   check_volume(model, request);
   SplitKeys splits = split_for_model(model, placed, request);
   split_for_samples(splits, placed.root, samples);
-  splits = balanced(std::move(splits));
+  splits = balanced(graded(std::move(splits), request.layers));
   check_count(splits, request);
   return Octree(placed.root.origin, placed.root.size, terminal_octants(splits));
 }

@@ -12,6 +12,7 @@ namespace {
 
 /// Points closer than this share of the local size to a point of the same edge are not worth a pair.
 constexpr double kEdgeSpacing = 0.4;
+constexpr double kPieceLength = 1.17;
 
 /// Length of an edge in units of the local size, as a function of the parameter.
 class SizedLength {
@@ -134,8 +135,8 @@ class EdgeSeeder {
     for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
       const double sa = length.at(ends[i]), sb = length.at(ends[i + 1]);
       // A piece may be up to a quarter longer than the size: fewer, better pieces.
-      const int n =
-          std::max(least_pieces(tag, ends[i], ends[i + 1]), static_cast<int>(std::ceil(sb - sa - 0.25)));
+      const int n = std::max(least_pieces(tag, ends[i], ends[i + 1]),
+                             static_cast<int>(std::ceil((sb - sa) / kPieceLength - 0.5)));
       for (int k = 1; k < n; ++k) {
         const double t = length.parameter(sa + (sb - sa) * k / n);
         std::vector<double>& stops = stops_[tag];

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/ids.h"
+#include "base/size_field.h"
 #include "base/size_sample.h"
 #include "base/vec.h"
 #include "geom/model.h"
@@ -52,16 +53,26 @@ class Octree {
   int bucket_shift_ = 0;
 };
 
+/// Mean edge length of the finished mesh over the length of the octants it was made from, where these are
+/// uniform: in octants of five tetrahedra 1.207 (three edges and three face diagonals an octant), in
+/// transitions and inside after smoothing 1.21, on model faces 1.10, on model edges 1.0; 1.17 over parts with
+/// thousands to hundreds of thousands of elements. A mesh of size h needs octants of length h / 1.17.
+inline constexpr double kEdgePerOctant = 1.19;
+
 struct OctreeRequest {
-  double size = 0.0;                     ///< h: a level of the tree, up to the rounding in place_root()
+  double size = 0.0;  ///< octant length: a level of the tree, up to place_root()'s rounding
   std::size_t max_octants = 50'000'000;  ///< LimitError beyond
+  std::vector<double> region_size = {};  ///< octant length per region tag, infinite for none; may be empty
+  SizeField field = {};                  ///< octant lengths over space; may be empty
+  int layers = 1;                        ///< octants of a level side by side before they may double
 };
 
 /// Builds the tree [Schroeder & Shephard 1990, "Tree building"; Handbook 15.4]: every octant that meets the
 /// model's inside or boundary has at most length h; every octant that holds a size sample has at most the
-/// sample's size; then the one-level difference over 26 neighbours. Outside, octants are as large as that
-/// allows. LimitError past max_octants (within a second where the volume alone exceeds it) or past
-/// kLatticeLevels levels; InputError for a size that is no positive number.
+/// sample's size; every octant inside or on the boundary at most what region and field want in it; then the
+/// one-level difference over 26 neighbours, or slower growth (octree/gradation). Outside, octants are as
+/// large as that allows. LimitError past max_octants (within a second where the volume alone exceeds it) or
+/// past kLatticeLevels levels; InputError for a size that is no positive number.
 [[nodiscard]] Octree build_octree(const Model& model, const OctreeRequest& request,
                                   std::span<const SizeSample> samples);
 

@@ -6,6 +6,7 @@
 
 #include "app/mesh_part.h"
 #include "geom/occt/from_shape.h"
+#include "octree/octree.h"
 #include "tests/support/families.h"
 
 namespace octet {
@@ -17,7 +18,9 @@ TEST_P(Families, AreComplete) {
   const auto& [part, turn] = GetParam();
   const Model model = model_from_shape(test::turned(part.build(), turn));
   MeshOptions options;
-  options.size = part.size;
+  // Octants of the family's size, and none smaller for thin walls' sake: that would be the easy way.
+  options.size = part.size * kEdgePerOctant;
+  options.wall_elements = 0.0;
   options.threads = 1;
   const MeshResult result = mesh_part(model, options);
   for (const Fault& fault : result.report.faults)

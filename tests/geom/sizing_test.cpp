@@ -31,7 +31,7 @@ TEST(Sizing, CoarseCubeWithSmallSizeWishesNothing) {
 TEST(Sizing, CurvatureAsksForItsAnglePerElement) {
   SizingOptions o = options(5.0);
   o.edge_share = 0.0;
-  o.gap_share = 0.0;
+  o.edge_gap_elements = 0.0;
   o.curvature_angle = 0.5;
   EXPECT_NEAR(smallest(feature_sizes(analytic_ball(2.0), o)), 1.0, 1e-9);
   EXPECT_NEAR(smallest(feature_sizes(analytic_torus(3.0, 0.4), o)), 0.2, 1e-9);
@@ -56,7 +56,7 @@ TEST(Sizing, SamplesCoverTheCurvedFaceAtTheirOwnSpacing) {
 
 TEST(Sizing, ShortEdgesAskForTheirLength) {
   SizingOptions o = options(1.0);
-  o.gap_share = 0.0;
+  o.edge_gap_elements = 0.0;
   const auto samples = feature_sizes(analytic_box(Vec3(3, 3, 0.25)), o);
   ASSERT_FALSE(samples.empty());
   for (const SizeSample& s : samples) {
@@ -93,9 +93,9 @@ TEST(Sizing, NoWishIsBelowTheSmallestSizeOrAboveTheSizeAskedFor) {
 TEST(Sizing, DefaultSizeFollowsThicknessBetweenItsBounds) {
   const Model cube = analytic_box(Vec3(1, 1, 1)), sheet = analytic_box(Vec3(1, 1, 1e-3));
   const Model plate = analytic_box(Vec3(1, 1, 0.04));
-  EXPECT_NEAR(default_size(cube), cube.diagonal() / 20, 1e-12);
-  EXPECT_NEAR(default_size(sheet), sheet.diagonal() / 100, 1e-12);
-  EXPECT_NEAR(default_size(plate), 0.04 / 1.08, 1e-12);
+  EXPECT_NEAR(default_size(cube), cube.diagonal() / 17, 1e-12);
+  EXPECT_NEAR(default_size(sheet), sheet.diagonal() / 85, 1e-12);
+  EXPECT_NEAR(default_size(plate), 2.3 * 0.04 / 2.16, 1e-12);
 }
 
 }  // namespace

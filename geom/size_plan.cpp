@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Attributes turned into samples, region sizes and fields; the part's own wishes beside them.
+#include "geom/size_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/error.h"
+#include "geom/size_wishes.h"
+#include "geom/sizing.h"
+#include "geom/wall_sizing.h"
+
+namespace octet {
+namespace {
+
+using Where = SizeAttribute::Where;
+
+/// The most local refinement below the size asked for, when no smallest size is given.
+constexpr double kFinestShare = 1.0 / 32.0;
+/// The same for curvature alone: a small fillet is well served by elements of its own width.
+constexpr double kFinestCurvedShare = 1.0 / 11.0;
+
+void check_number(const char* name, double value, bool zero_is_off) {
+  if (!std::isfinite(value) || value < 0.0 || (value == 0.0 && !zero_is_off))
+    throw InputError(std::string("the ") + name + " must be a positive number");
+}
+
+void check_control(const SizeControl& control) {
+  check_number("size", control.size, true);
+  check_number("smallest size", control.min_size, true);
+  check_number("largest size", control.max_size, true);
+  check_number("angle per element", control.curvature_angle, true);
+  check_number("curvature floor", control.curvature_floor, true);
+  check_number("number of elements across walls", control.wall_elements, true);
+  check_number("number of elements across gaps", control.gap_elements, true);
+  if (!(control.growth > 1.0) || !std::isfinite(control.growth))
+    throw InputError("the growth must be a number above 1");
+  if (control.max_size > 0.0 && control.min_size > control.max_size)
+    throw InputError("the smallest size is above the largest");
+}
+
+double attribute_size(const Model& model, const SizeAttribute& attribute, ModelRef entity) {
+  return attribute.elements > 0 ? model.edge(entity.tag).length / attribute.elements : attribute.size;
+}
+
+class Planner {
+ public:
+  Planner(const Model& model, const SizeControl& control) : model_(model), control_(control) {
+    plan_.asked = global_size(model, control);
+    plan_.min_size = control.min_size > 0.0 ? control.min_size : kFinestShare * plan_.asked;
+    plan_.growth = control.growth;
+    plan_.region_size.assign(static_cast<std::size_t>(model.count(3)) + 1, kNoSize);
+  }
+
+  SizePlan run() {
+    resolve_attributes();
+    add_features();
+    add_walls();
+    for (const auto& [entity, size] : wanted_) wish_for(entity, size);
+    if (plan_.size > plan_.asked) hold_other_regions();
+    plan_.field = smaller_of(shapes(), floored(control_.background));
+    return std::move(plan_);
+  }
+
+ private:
+  void take(std::vector<SizeSample> samples) {
+    plan_.samples.insert(plan_.samples.end(), samples.begin(), samples.end());
+  }
+
+  void add_features() {
+    SizingOptions options;
+    options.size = plan_.size;
+    options.min_size = plan_.min_size;
+    options.curvature_angle = control_.curvature_angle;
+    options.curvature_floor = control_.curvature_floor > 0.0
+                                  ? control_.curvature_floor
+                                  : std::max(plan_.min_size, kFinestCurvedShare * plan_.size);
+    options.edge_share = control_.short_edges ? 1.0 : 0.0;
+    options.edge_gap_elements = control_.gap_elements;
+    take(feature_sizes(model_, options));
+    if (control_.suit_curvature) suit_curvature();
+  }
+
+  /// The mean octave of the sizes that curved faces want, as an angle on the circle of octaves; samples are a
+  /// size apart, so that each stands for an element.
+  void suit_curvature() {
+    double x = 0.0, y = 0.0;
+    for (const SizeSample& sample : plan_.samples) {
+      if (sample.why != SizeReason::kCurvature || sample.on.dim != 2) continue;
+      const double angle = 2.0 * M_PI * std::log2(sample.size / plan_.asked);
+      x += std::cos(angle);
+      y += std::sin(angle);
+    }
+    if (std::hypot(x, y) > 0.0)
+      plan_.wanted.push_back(plan_.asked * std::exp2(std::atan2(y, x) / (2.0 * M_PI)));
+  }
+
+  void add_walls() {
+    WallOptions options;
+    options.size = plan_.size;
+    options.min_size = plan_.min_size;
+    options.wall_elements = control_.wall_elements;
+    options.gap_elements = control_.gap_elements;
+    options.budget = control_.wall_budget;
+    take(wall_sizes(model_, options));
+  }
+
+  /// Entities with their sizes; a region may be coarser than the rest.
+  void resolve_attributes() {
+    plan_.size = plan_.asked;
+    for (const SizeAttribute& attribute : control_.attributes)
+      for (const ModelRef entity : selected_entities(model_, attribute)) {
+        const double size = within_limits(attribute_size(model_, attribute, entity));
+        plan_.wanted.push_back(size);
+        wanted_.emplace_back(entity, size);
+        if (entity.dim == 3) plan_.size = std::max(plan_.size, size);
+      }
+  }
+
+  /// Where a region is coarser than the size asked for, the others are held to that size one by one.
+  void hold_other_regions() {
+    for (int tag = 1; tag <= model_.count(3); ++tag)
+      if (plan_.region_size[static_cast<std::size_t>(tag)] == kNoSize)
+        wish_for(model_region(tag), plan_.asked);
+  }
+
+  void wish_for(ModelRef entity, double size) {
+    Wishes wishes(plan_.size, control_.min_size);
+    const Wisher who{entity, SizeReason::kAttribute};
+    if (entity.dim == 0) wish_around(model_.vertex(entity.tag).point, size, who, wishes);
+    if (entity.dim == 1 && model_.edge(entity.tag).use != EdgeUse::kDegenerate)
+      wish_on_edge(model_, entity.tag, model_.edge(entity.tag).t0, model_.edge(entity.tag).t1, size, who,
+                   wishes);
+    if (entity.dim == 2) wish_on_face(entity.tag, size, who, wishes);
+    if (entity.dim == 3) {
+      double& region_size = plan_.region_size[static_cast<std::size_t>(entity.tag)];
+      region_size = std::min(region_size, size);
+      for (const int face : model_.region(entity.tag).faces) wish_on_face(face, size, who, wishes);
+    }
+    take(wishes.take());
+  }
+
+  /// Two sizes around a vertex, so that all edges at it have the size, wherever it lies in its octant.
+  static void wish_around(const Vec3& p, double size, const Wisher& who, Wishes& wishes) {
+    for (int i = 0; i < 125; ++i)
+      wishes.add(p + size * Vec3(i % 5 - 2, i / 5 % 5 - 2, i / 25 - 2), size, who);
+  }
+
+  void wish_on_face(int face, double size, const Wisher& who, Wishes& wishes) {
+    const Facets& facets = model_.facets();
+    for (std::size_t t = 0; t < facets.triangles.size(); ++t)
+      if (facets.face[t] == face) wish_on_triangle(facet_corners(facets, t), size, who, wishes);
+  }
+
+  [[nodiscard]] double within_limits(double size) const {
+    size = std::max(size, control_.min_size);
+    return control_.max_size > 0.0 ? std::min(size, control_.max_size) : size;
+  }
+
+  [[nodiscard]] SizeField shapes() {
+    std::vector<SizeAttribute> shapes;
+    for (const SizeAttribute& attribute : control_.attributes) {
+      if (!selected_entities(model_, attribute).empty()) continue;
+      shapes.push_back(attribute);
+      shapes.back().size = within_limits(attribute.size);
+      plan_.wanted.push_back(shapes.back().size);
+    }
+    if (shapes.empty()) return {};
+    return [shapes](const Box3& box) {
+      double least = kNoSize;
+      for (const SizeAttribute& shape : shapes)
+        if (shape.size < least && shape_meets(shape, box)) least = shape.size;
+      return least;
+    };
+  }
+
+  [[nodiscard]] SizeField floored(SizeField field) const {
+    if (!field || control_.min_size <= 0.0) return field;
+    return [field = std::move(field), floor = control_.min_size](const Box3& box) {
+      return std::max(field(box), floor);
+    };
+  }
+
+  const Model& model_;
+  const SizeControl& control_;
+  SizePlan plan_;
+  std::vector<std::pair<ModelRef, double>> wanted_;  ///< entities of attributes and their sizes
+};
+
+}  // namespace
+
+double global_size(const Model& model, const SizeControl& control) {
+  const double size = control.size > 0.0 ? control.size : default_size(model);
+  return control.max_size > 0.0 ? std::min(size, control.max_size) : size;
+}
+
+SizePlan plan_sizes(const Model& model, const SizeControl& control) {
+  check_control(control);
+  return Planner(model, control).run();
+}
+
+}  // namespace octet

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// All sizes of a run together: what the user asks for, and what the part asks for itself.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/size_field.h"
+#include "base/size_sample.h"
+#include "geom/model.h"
+#include "geom/size_attributes.h"
+
+namespace octet {
+
+/// Edge lengths in model units (millimetre), angles in radians.
+struct SizeControl {
+  double size = 0.0;               ///< edge length asked for; 0: chosen from the part
+  double min_size = 0.0;           ///< nothing is refined further than this; 0: size / 32
+  double max_size = 0.0;           ///< no size is larger than this, wherever it comes from; 0: no such limit
+  double curvature_angle = 0.585;  ///< radians of turning per element: eleven on a circle; 0: off
+  double curvature_floor = 0.0;    ///< curvature refines no further; 0: size / 11
+  bool suit_curvature = false;     ///< the octants' lengths suit the commonest radius, too
+  double wall_elements = 1.0;      ///< n across walls; 0: off
+  double gap_elements = 1.0;       ///< n across gaps and to edges that run close by; 0: off
+  bool short_edges = true;         ///< edges shorter than the size are one element
+  double wall_budget = 250'000.0;  ///< elements that walls and gaps of faces may cost; 0: any number
+  double growth = 2.0;             ///< largest ratio of neighbouring sizes, above 1
+  std::vector<SizeAttribute> attributes;
+  SizeField background;  ///< wishes over space; only those below the size asked for count
+};
+
+/// What the octree is built from.
+struct SizePlan {
+  double asked = 0.0;     ///< the size asked for or chosen
+  double size = 0.0;      ///< that, or the largest size of a region above it: nothing is coarser
+  double min_size = 0.0;  ///< no wish is smaller
+  std::vector<double>
+      wanted;  ///< sizes of attributes, and for the commonest radius: the lattice should suit them
+  std::vector<SizeSample> samples;  ///< in a deterministic order
+  std::vector<double> region_size;  ///< per region tag, infinite where nothing is asked for
+  SizeField field;                  ///< shapes and background; may be empty
+  double growth = 2.0;
+};
+
+/// InputError for a control that makes no sense or an attribute that names nothing.
+[[nodiscard]] SizePlan plan_sizes(const Model& model, const SizeControl& control);
+
+/// The size of the control, or the default for the part, within the largest size.
+[[nodiscard]] double global_size(const Model& model, const SizeControl& control);
+
+}  // namespace octet

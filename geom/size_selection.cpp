@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The entities that a size attribute names.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "base/error.h"
+#include "geom/size_attributes.h"
+#include "geom/text_pattern.h"
+
+namespace octet {
+namespace {
+
+using Where = SizeAttribute::Where;
+
+const std::string& name_of(const Model& model, ModelRef entity) {
+  switch (entity.dim) {
+    case 0:
+      return model.vertex(entity.tag).name;
+    case 1:
+      return model.edge(entity.tag).name;
+    case 2:
+      return model.face(entity.tag).name;
+    default:
+      return model.region(entity.tag).name;
+  }
+}
+
+double distance(const Model& model, ModelRef entity, const Vec3& p) {
+  switch (entity.dim) {
+    case 0:
+      return (model.vertex(entity.tag).point - p).norm();
+    case 1:
+      return model.edge(entity.tag).use == EdgeUse::kDegenerate ? std::numeric_limits<double>::infinity()
+                                                                : model.edge_closest(entity.tag, p).distance;
+    case 2:
+      return model.face_closest(entity.tag, p).distance;
+    default: {
+      if (model.region_at(p) == entity.tag) return 0.0;
+      double least = std::numeric_limits<double>::infinity();
+      for (const int f : model.region(entity.tag).faces)
+        least = std::min(least, model.face_closest(f, p).distance);
+      return least;
+    }
+  }
+}
+
+ModelRef nearest(const Model& model, int dim, const Vec3& p) {
+  ModelRef best{dim, 0};
+  double least = std::numeric_limits<double>::infinity();
+  for (int tag = 1; tag <= model.count(dim); ++tag) {
+    const double d = distance(model, {dim, tag}, p);
+    if (d >= least) continue;
+    least = d;
+    best.tag = tag;
+  }
+  return best;
+}
+
+bool is_shape(Where where) {
+  return where == Where::kBox || where == Where::kBall || where == Where::kCylinder;
+}
+
+bool matches(const Model& model, const SizeAttribute& attribute, ModelRef entity) {
+  switch (attribute.where) {
+    case Where::kNumbers:
+      return entity.tag >= attribute.first && entity.tag <= attribute.last;
+    case Where::kName:
+      return matches_pattern(name_of(model, entity), attribute.pattern) &&
+             (attribute.dim >= 0 || !name_of(model, entity).empty());
+    case Where::kColour: {
+      std::string colour = model.face(entity.tag).colour;
+      std::transform(colour.begin(), colour.end(), colour.begin(),
+                     [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+      return matches_pattern(colour, attribute.pattern);
+    }
+    default:
+      return false;
+  }
+}
+
+}  // namespace
+
+std::vector<ModelRef> selected_entities(const Model& model, const SizeAttribute& attribute) {
+  if (is_shape(attribute.where)) return {};
+  std::vector<ModelRef> found;
+  if (attribute.where == Where::kNearest) {
+    const ModelRef entity = nearest(model, attribute.dim, attribute.a);
+    if (entity.valid()) found.push_back(entity);
+  } else {
+    for (int dim = 0; dim < 4; ++dim)
+      for (int tag = 1; (attribute.dim < 0 || dim == attribute.dim) && tag <= model.count(dim); ++tag)
+        if (matches(model, attribute, {dim, tag})) found.push_back({dim, tag});
+  }
+  std::string message = "size attribute \"" + attribute.text;
+  if (found.empty())
+    throw InputError(message.append("\" names nothing of the part; octet info lists its entities and names"));
+  if (attribute.where == Where::kNumbers && attribute.last > model.count(attribute.dim))
+    throw InputError(message.append("\": the part has numbers up to ")
+                         .append(std::to_string(model.count(attribute.dim))));
+  return found;
+}
+
+}  // namespace octet

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Facets are halved until they are no longer than the thickness they see along their normals.
+#include "geom/wall_sizing.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "base/size_field.h"
+#include "geom/facet_bvh.h"
+#include "geom/size_wishes.h"
+
+namespace octet {
+namespace {
+
+/// Least cosine between a sheet's normal and a ray that meets it face on: normals 135 degrees apart and more.
+constexpr double kFacing = 0.7071;
+
+/// Tetrahedra in the cube of their mean edge length, as the octree makes them (five in an octant).
+constexpr double kTetsPerCube = 8.0;
+
+/// With n elements across at least n - 1 layers of octree vertices lie between the sheets. A layer keeps 0.6
+/// of an octant from both (octree/seeds), so that n - 1 + 1.2 octants must fit.
+double octants_across(double n) { return n + 0.2; }
+
+std::vector<std::vector<int>> faces_of_edges(const Model& model) {
+  std::vector<std::vector<int>> neighbours(static_cast<std::size_t>(model.count(2)) + 1);
+  for (int e = 1; e <= model.count(1); ++e)
+    for (const int f : model.edge(e).faces)
+      for (const int g : model.edge(e).faces)
+        if (f != g) neighbours[static_cast<std::size_t>(f)].push_back(g);
+  for (auto& list : neighbours) std::sort(list.begin(), list.end());
+  return neighbours;
+}
+
+class WallSizer {
+ public:
+  WallSizer(const Model& model, const WallOptions& options)
+      : model_(model),
+        facets_(model.facets()),
+        options_(options),
+        wishes_(options.size, options.min_size),
+        neighbours_(faces_of_edges(model)) {}
+
+  /// None when the budget is passed.
+  std::optional<std::vector<SizeSample>> run() {
+    for (std::size_t t = 0; t < facets_.triangles.size(); ++t) {
+      const int face = facets_.face[t];
+      for (const int side : {-1, 1}) {
+        const bool inside = model_.face(face).region[side > 0 ? 1 : 0] != 0;
+        const double n = inside ? options_.wall_elements : options_.gap_elements;
+        if (!(n > 0.0)) continue;
+        const std::array<Vec3, 3> corners = facet_corners(facets_, t);
+        const Vec3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+        if (!(normal.norm() > 0.0)) continue;
+        probe(corners, {t,
+                        face,
+                        side * normal.normalized(),
+                        n,
+                        {model_face(face), inside ? SizeReason::kWall : SizeReason::kGap}});
+        if (options_.budget > 0.0 && elements_ > options_.budget) return std::nullopt;
+      }
+    }
+    return wishes_.take();
+  }
+
+ private:
+  struct Probe {
+    std::size_t facet;
+    int face;
+    Vec3 direction;  ///< unit, away from the sheet
+    double n;        ///< elements across
+    Wisher who;
+  };
+
+  /// Length along the probe's direction to the next sheet, infinite where none faces this one.
+  [[nodiscard]] double thickness(const Vec3& p, const Probe& probe, double reach) const {
+    double nearest = kNoSize;
+    std::uint32_t hit = 0;
+    model_.bvh().visit_segment(p, p + reach * probe.direction, [&](std::uint32_t t) {
+      if (t == probe.facet) return;
+      const double s = along(p, probe.direction, t);
+      if (s < nearest) {
+        nearest = s;
+        hit = t;
+      }
+    });
+    if (!(nearest <= reach)) return kNoSize;
+    const auto& near = neighbours_[static_cast<std::size_t>(probe.face)];
+    if (std::binary_search(near.begin(), near.end(), facets_.face[hit])) return kNoSize;
+    const std::array<Vec3, 3> c = facet_corners(facets_, hit);
+    const double facing = (c[1] - c[0]).cross(c[2] - c[0]).normalized().dot(probe.direction);
+    return std::abs(facing) > kFacing ? nearest : kNoSize;
+  }
+
+  /// Length along the ray to a facet, infinite when it is missed or starts there.
+  [[nodiscard]] double along(const Vec3& p, const Vec3& direction, std::uint32_t t) const {
+    const auto [a, b, c] = facet_corners(facets_, t);
+    const Vec3 e1 = b - a, e2 = c - a, h = direction.cross(e2), s = p - a, q = s.cross(e1);
+    const double det = e1.dot(h);
+    if (det == 0.0) return kNoSize;
+    const double u = s.dot(h) / det, v = direction.dot(q) / det, length = e2.dot(q) / det;
+    constexpr double kRim = -1e-9;
+    return u >= kRim && v >= kRim && u + v <= 1.0 - kRim && length > model_.tolerance() ? length : kNoSize;
+  }
+
+  void probe(const std::array<Vec3, 3>& corners, const Probe& side) {
+    const auto& [a, b, c] = corners;
+    const Vec3 middle = (a + b + c) / 3.0;
+    const double across = octants_across(side.n);
+    const double depth = thickness(middle, side, across * options_.size);
+    const double wish = wishes_.floored(depth / (side.n > 1.0 ? across : side.n));
+    const std::array<double, 3> length{(c - b).norm(), (a - c).norm(), (b - a).norm()};
+    const auto longest =
+        static_cast<std::size_t>(std::max_element(length.begin(), length.end()) - length.begin());
+    if (length[longest] > std::min(wish, options_.size)) {
+      const Vec3 &top = corners[longest], &left = corners[(longest + 1) % 3],
+                 &right = corners[(longest + 2) % 3];
+      const Vec3 half = 0.5 * (left + right);
+      probe({top, left, half}, side);
+      if (options_.budget > 0.0 && elements_ > options_.budget) return;
+      probe({top, half, right}, side);
+    } else if (wishes_.counts(wish)) {
+      const double area = 0.5 * (b - a).cross(c - a).norm();
+      elements_ += kTetsPerCube * area * std::max(0.5 * depth, wish) / (wish * wish * wish);
+      wish_through(middle, depth, wish, side);
+      // A mesh may cut across at one octant that is coarser: none must be missed.
+      if (side.n > 1.0)
+        for (const Vec3& corner : corners) wish_through(corner, depth, wish, side);
+    }
+  }
+
+  /// From the sheet to the middle; the other half is the other sheet's.
+  void wish_through(const Vec3& p, double depth, double wish, const Probe& side) {
+    for (double s = 0.0; s == 0.0 || s <= 0.5 * depth; s += wish)
+      wishes_.add(p + s * side.direction, wish, side.who, side.n > 1.0);
+  }
+
+  const Model& model_;
+  const Facets& facets_;
+  WallOptions options_;
+  Wishes wishes_;
+  std::vector<std::vector<int>> neighbours_;  ///< per face: those that share an edge with it, ascending
+  double elements_ = 0.0;
+};
+
+}  // namespace
+
+std::vector<SizeSample> wall_sizes(const Model& model, const WallOptions& options) {
+  constexpr double kFinestShare = 1e-3;  // where no smallest size is given
+  WallOptions tried = options;
+  tried.min_size = std::max(options.min_size, kFinestShare * options.size);
+  for (;; tried.min_size *= 2.0) {
+    if (tried.min_size >= options.size) return {};
+    if (auto samples = WallSizer(model, tried).run()) return *std::move(samples);
+  }
+}
+
+}  // namespace octet

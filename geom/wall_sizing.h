@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where two sheets of the boundary face each other at less than the size asked for: walls and gaps.
+#pragma once
+
+#include <vector>
+
+#include "base/size_sample.h"
+#include "geom/model.h"
+
+namespace octet {
+
+struct WallOptions {
+  double size = 0.0;           ///< h: the size asked for, model units
+  double min_size = 0.0;       ///< no wish is smaller than this
+  double wall_elements = 1.0;  ///< n across the material; 0: off
+  double gap_elements = 1.0;   ///< n across the outside, between two sheets; 0: off
+  double budget = 0.0;         ///< elements that walls and gaps may cost, about; 0: any number
+};
+
+/// Wishes for thickness / n, through the whole thickness, in a deterministic order.
+///
+/// The thickness at a point of a face is the distance along its normal to the next sheet that faces it
+/// (normals at more than 135 degrees), by the facets. Faces that share an edge are no wall: the thickness of
+/// a knife has no lower bound. Within the budget the smallest size is doubled until the wishes fit.
+[[nodiscard]] std::vector<SizeSample> wall_sizes(const Model& model, const WallOptions& options);
+
+}  // namespace octet

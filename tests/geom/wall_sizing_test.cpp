@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Thickness by rays.
+#include "geom/wall_sizing.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "geom/analytic.h"
+#include "tests/geom/sample_models.h"
+
+namespace octet {
+namespace {
+
+WallOptions walls(double size, double elements) {
+  WallOptions options;
+  options.size = size;
+  options.min_size = 1e-3 * size;
+  options.wall_elements = elements;
+  options.gap_elements = 1.0;
+  return options;
+}
+
+TEST(WallSizing, ThickPartsWishNothing) {
+  EXPECT_TRUE(wall_sizes(analytic_box(Vec3(1, 1, 1)), walls(0.3, 2.0)).empty());
+}
+
+TEST(WallSizing, APlateWishesItsThicknessOnBothSides) {
+  const auto samples = wall_sizes(analytic_box(Vec3(3, 3, 0.25)), walls(1.0, 1.0));
+  ASSERT_FALSE(samples.empty());
+  bool low = false, high = false;
+  for (const SizeSample& s : samples) {
+    EXPECT_NEAR(s.size, 0.25, 1e-9);
+    EXPECT_EQ(s.why, SizeReason::kWall);
+    low |= s.place.z() == 0.0;
+    high |= s.place.z() == 0.25;
+  }
+  EXPECT_TRUE(low && high);
+}
+
+TEST(WallSizing, SamplesAreDenseOverTheWall) {
+  const auto samples = wall_sizes(analytic_box(Vec3(3, 3, 0.25)), walls(1.0, 1.0));
+  test::Dice dice(7);
+  for (int i = 0; i < 300; ++i) {
+    const Vec3 p = dice.vec(Vec3::Zero(), Vec3(3, 3, 0));
+    EXPECT_TRUE(std::any_of(samples.begin(), samples.end(),
+                            [&](const SizeSample& s) { return (s.place - p).norm() <= s.size; }));
+  }
+}
+
+TEST(WallSizing, SeveralElementsAcrossAreSampledThroughTheThickness) {
+  const auto samples = wall_sizes(analytic_hollow_ball(1.0, 0.8, {{}, 1e-3}), walls(1.0, 3.0));
+  ASSERT_FALSE(samples.empty());
+  double deepest = 1.0;
+  for (const SizeSample& s : samples) {
+    EXPECT_NEAR(s.size, 0.2 / 3.2, 0.01);
+    EXPECT_TRUE(s.at_most);
+    if (s.place.norm() > 0.9) deepest = std::min(deepest, s.place.norm());
+  }
+  EXPECT_LT(deepest, 0.95);
+}
+
+TEST(WallSizing, AKnifeIsNoWall) {
+  for (const SizeSample& s : wall_sizes(analytic_wedge(0.1, 2.0, 2.0), walls(0.5, 1.0)))
+    EXPECT_GT(s.size, 0.1);
+}
+
+TEST(WallSizing, TheBudgetRaisesTheSmallestSize) {
+  WallOptions options = walls(1.0, 1.0);
+  const Model sheet = analytic_box(Vec3(3, 3, 0.01));
+  options.budget = 20'000.0;
+  const auto samples = wall_sizes(sheet, options);
+  ASSERT_FALSE(samples.empty());
+  for (const SizeSample& s : samples) EXPECT_GT(s.size, 0.05);
+}
+
+}  // namespace
+}  // namespace octet
