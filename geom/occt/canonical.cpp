@@ -24,6 +24,7 @@
 
 #include "base/error.h"
 #include "geom/conics.h"
+#include "geom/occt/curve_jets.h"
 #include "geom/occt/occt_curve.h"
 #include "geom/occt/occt_surface.h"
 #include "geom/quadrics.h"
@@ -107,6 +108,19 @@ std::unique_ptr<const CanonicalForm> closed_form_of(const SurfaceJets& jets, con
                    jets.v_breaks(cell), std::min(kSameSurface, kSameShare * box.diagonal()));
 }
 
+/// The curve as a line at the same parameters, where it is one to rounding.
+std::shared_ptr<const Curve> line_of(const CurveJets& jets, double t0, double t1) {
+  const Vec3 a = jets.evaluate(t0, 0).p, b = jets.evaluate(t1, 0).p;
+  const Vec3 direction = (b - a) / (t1 - t0);
+  const double rounding = 1e-13 * (b - a).norm() + 1e-15 * a.cwiseAbs().cwiseMax(b.cwiseAbs()).maxCoeff();
+  const auto samples = static_cast<int>(8 * std::max<std::size_t>(1, jets.knots().size()));
+  for (int i = 1; i < samples; ++i) {
+    const double t = t0 + i * (t1 - t0) / samples;
+    if (!((jets.evaluate(t, 0).p - a - (t - t0) * direction).norm() <= rounding)) return nullptr;
+  }
+  return direction.norm() > 0.0 ? make_line(a - t0 * direction, direction, t0, t1) : nullptr;
+}
+
 UvCell cell_of(const TopoDS_Face& face) {
   UvCell cell;
   BRepTools::UVBounds(face, cell.lo.x(), cell.hi.x(), cell.lo.y(), cell.hi.y());
@@ -160,7 +174,9 @@ std::shared_ptr<const Curve> make_curve(const TopoDS_Edge& edge) {
     return make_circle(axes_of(gp_Ax3(c->Position())), c->Radius(), t0, t1);
   if (const auto c = Handle(Geom_Ellipse)::DownCast(curve); !c.IsNull())
     return make_ellipse(axes_of(gp_Ax3(c->Position())), c->MajorRadius(), c->MinorRadius(), t0, t1);
-  return make_free_curve(curve, t0, t1);
+  CurveJets jets(curve);
+  if (auto line = line_of(jets, t0, t1)) return line;
+  return make_free_curve(std::move(jets), t0, t1);
 }
 
 }  // namespace octet

@@ -14,10 +14,12 @@ constexpr double kTurn = 0.15;       // sample chords turn less than this, radia
 constexpr int kMinPieces = 8;        // per knot span
 constexpr int kMaxBisections = 10;   // of a piece
 constexpr int kRootIterations = 60;  // bisections halve to the last bit
+constexpr double kNoExtent = 1e-13;  // of the coordinates: a planar curve's rounding
+constexpr std::size_t kBlock = 8;    // pieces that share a box
 
 class OcctCurve final : public Curve {
  public:
-  OcctCurve(const Handle(Geom_Curve) & curve, double t0, double t1) : jets_(curve), t0_(t0), t1_(t1) {
+  OcctCurve(CurveJets jets, double t0, double t1) : jets_(std::move(jets)), t0_(t0), t1_(t1) {
     const std::vector<double> breaks = knots();
     sample_t_.push_back(t0);
     for (std::size_t i = 0; i + 1 < breaks.size(); ++i)
@@ -27,7 +29,16 @@ class OcctCurve final : public Curve {
         sample(a, k + 1 == kMinPieces ? breaks[i + 1] : a + step, 0);
       }
     for (const double t : sample_t_) sample_.push_back(point(t));
-    for (const Vec3& p : sample_) scale_ = std::max(scale_, p.cwiseAbs().maxCoeff());
+    for (const Vec3& p : sample_) box_.add(p);
+    scale_ = box_.lo.cwiseAbs().cwiseMax(box_.hi.cwiseAbs()).maxCoeff();
+    for (std::size_t begin = 0; begin + 1 < sample_.size(); begin += kBlock) {
+      Block block;
+      for (std::size_t i = begin; i <= end_of(begin); ++i) {
+        block.samples.add(sample_[i]);
+        if (i > begin) block.bulge = std::max(block.bulge, kTurn * (sample_[i] - sample_[i - 1]).norm());
+      }
+      blocks_.push_back(block);
+    }
   }
 
   Vec3 point(double t) const override { return jets_.evaluate(t, 0).p; }
@@ -37,6 +48,15 @@ class OcctCurve final : public Curve {
   const char* kind() const override { return "free"; }
 
  private:
+  /// Pieces kBlock k to kBlock (k + 1); neighbours share a sample.
+  struct Block {
+    Box3 samples;
+    double bulge = 0.0;  ///< of the curve beyond the box
+  };
+
+  [[nodiscard]] std::size_t end_of(std::size_t begin) const {
+    return std::min(begin + kBlock, sample_.size() - 1);
+  }
   [[nodiscard]] std::vector<double> knots() const;
   void sample(double a, double b, int depth);
   [[nodiscard]] double refine(const Vec3& p, double t, double lo, double hi) const;
@@ -45,9 +65,11 @@ class OcctCurve final : public Curve {
 
   CurveJets jets_;
   double t0_, t1_;
+  Box3 box_;
   double scale_ = 0.0;
   std::vector<double> sample_t_;
   std::vector<Vec3> sample_;
+  std::vector<Block> blocks_;
 };
 
 std::vector<double> OcctCurve::knots() const {
@@ -99,15 +121,18 @@ double OcctCurve::refine(const Vec3& p, double t, double lo, double hi) const {
 
 double OcctCurve::project(const Vec3& p, double hint) const {
   const std::size_t n = sample_.size();
-  double best = std::numeric_limits<double>::infinity();
-  std::size_t where = 0;
   const auto here = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(
       std::lower_bound(sample_t_.begin(), sample_t_.end(), hint) - sample_t_.begin(), 0,
       static_cast<std::ptrdiff_t>(n) - 1));
   // The hint's own sample wins ties, so that equal branches keep the caller's.
-  for (std::size_t i = 0; i < n; ++i) {
-    const double d = (sample_[i] - p).squaredNorm();
-    if (d < best || (d == best && i == here)) {
+  std::size_t where = here;
+  double best = (sample_[here] - p).squaredNorm();
+  for (std::size_t block = 0; block < blocks_.size(); ++block) {
+    if (blocks_[block].samples.squared_distance(p) > best) continue;
+    const std::size_t begin = kBlock * block;
+    for (std::size_t i = begin; i <= end_of(begin); ++i) {
+      const double d = (sample_[i] - p).squaredNorm();
+      if (d > best || (d == best && (where == here || i >= where))) continue;
       best = d;
       where = i;
     }
@@ -178,20 +203,26 @@ void OcctCurve::cut_piece(int axis, double value, double a, double b, std::vecto
 }
 
 void OcctCurve::cut(int axis, double value, std::vector<double>& parameters) const {
-  for (std::size_t i = 0; i + 1 < sample_.size(); ++i) {
-    const double lo = std::min(sample_[i][axis], sample_[i + 1][axis]);
-    const double hi = std::max(sample_[i][axis], sample_[i + 1][axis]);
-    const double bulge = kTurn * (sample_[i + 1] - sample_[i]).norm();
-    if (value < lo - bulge || value > hi + bulge) continue;
-    cut_piece(axis, value, sample_t_[i], sample_t_[i + 1], parameters);
+  // A curve in the plane (or off it, parallel) has no cut of its own.
+  if (box_.size()[axis] <= kNoExtent * scale_) return;
+  for (std::size_t block = 0; block < blocks_.size(); ++block) {
+    const Block& b = blocks_[block];
+    if (value < b.samples.lo[axis] - b.bulge || value > b.samples.hi[axis] + b.bulge) continue;
+    for (std::size_t i = kBlock * block; i < end_of(kBlock * block); ++i) {
+      const double lo = std::min(sample_[i][axis], sample_[i + 1][axis]);
+      const double hi = std::max(sample_[i][axis], sample_[i + 1][axis]);
+      const double bulge = kTurn * (sample_[i + 1] - sample_[i]).norm();
+      if (value < lo - bulge || value > hi + bulge) continue;
+      cut_piece(axis, value, sample_t_[i], sample_t_[i + 1], parameters);
+    }
   }
   std::sort(parameters.begin(), parameters.end());
 }
 
 }  // namespace
 
-std::shared_ptr<const Curve> make_free_curve(const Handle(Geom_Curve) & curve, double t0, double t1) {
-  return std::make_shared<OcctCurve>(curve, t0, t1);
+std::shared_ptr<const Curve> make_free_curve(CurveJets jets, double t0, double t1) {
+  return std::make_shared<OcctCurve>(std::move(jets), t0, t1);
 }
 
 }  // namespace octet

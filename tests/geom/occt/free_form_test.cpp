@@ -165,7 +165,8 @@ std::shared_ptr<const Curve> nurbs_arc() {
   const Handle(Geom_Curve) circle = new Geom_Circle(gp_Ax2(), 2.0);
   const Handle(Geom_BSplineCurve) spline =
       GeomConvert::CurveToBSplineCurve(new Geom_TrimmedCurve(circle, 0.25, 0.25 + 1.5 * kPi));
-  return make_free_curve(spline, spline->FirstParameter(), spline->LastParameter());
+  return make_free_curve(CurveJets(Handle(Geom_Curve)(spline)), spline->FirstParameter(),
+                         spline->LastParameter());
 }
 
 TEST(FreeCurve, CutFindsBothCrossingsAndTheirPlaces) {
