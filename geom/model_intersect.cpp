@@ -125,7 +125,7 @@ class SegmentQuery {
     const double reach = data_.edge_reach(side.edge);
     const auto [t, u] = nearest_parameters(segment_, c);
     const double apart = (segment_.at(t) - (c.a + u * (c.b - c.a))).norm();
-    if (apart > reach + data_.facets().edge_deviation[side.edge]) return;
+    if (apart > chord_reach(data_, side)) return;
     const Vec3 e = c.b - c.a;
     const double sine = segment_.d.cross(e).norm() / (segment_.length * e.norm());
     if (sine * std::min(segment_.length, e.norm()) <= reach) {
@@ -248,7 +248,7 @@ class SegmentQuery {
         if (s < 0) continue;
         const BorderSide& side = data_.border.sides[s];
         const double reach = data_.edge_reach(side.edge);
-        if (chord_distance(data_, side, x) > reach + data_.facets().edge_deviation[side.edge]) continue;
+        if (chord_distance(data_, side, x) > chord_reach(data_, side)) continue;
         const double edge_t = data_.curve(side.edge).project(x, side.t);
         const Vec3 on_curve = data_.curve(side.edge).point(edge_t);
         if ((on_curve - x).norm() <= reach)

@@ -39,6 +39,15 @@ std::vector<double> reference(const Model& model, const Vec3& p, const Vec3& q) 
   return all;
 }
 
+/// Of a vertex and the edges that end in it: the gap around an event there.
+double tolerance_of(const Model& model, ModelRef on) {
+  if (on.dim == 2) return 0.0;
+  if (on.dim == 1) return model.edge(on.tag).tolerance;
+  double most = model.vertex(on.tag).tolerance;
+  for (const int edge : model.vertex(on.tag).edges) most = std::max(most, model.edge(edge).tolerance);
+  return most;
+}
+
 /// `missed`: roots that the model does not report. `extra`: hits on faces that no surface has. Hits on edges
 /// and vertices without a root are cracks within their tolerance: counted apart.
 Json compare_segments(const Model& model, const Limits& limits) {
@@ -56,11 +65,7 @@ Json compare_segments(const Model& model, const Limits& limits) {
     hits_seen += static_cast<int>(hits.size());
     const std::vector<double> expected = reference(model, p, q);
     const double near = 1e-6 * model.diagonal();
-    const auto reach = [&](const Hit& hit) {
-      return near + 4.0 * (hit.on.dim == 0   ? model.vertex(hit.on.tag).tolerance
-                           : hit.on.dim == 1 ? model.edge(hit.on.tag).tolerance
-                                             : 0.0);
-    };
+    const auto reach = [&](const Hit& hit) { return near + 4.0 * tolerance_of(model, hit.on); };
     const double length = (q - p).norm();
     const auto close = [&](const Hit& hit, double t) { return std::abs(hit.t - t) * length <= reach(hit); };
     for (const double t : expected)
