@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "finalize/cavity.h"
+#include "finalize/mean_shape.h"
 #include "finalize/shape.h"
 #include "mesh/quality.h"
 
@@ -175,9 +176,27 @@ bool cuts_a_bend(Workshop& shop, const NewPiece& piece) {
   return length > kQuarterCircle * (shop.mesh.points[piece.to] - shop.mesh.points[piece.from]).norm();
 }
 
-}  // namespace
+/// Whether the sum of merits rises and no new edge is much longer than the size.
+bool raises_mean(const Workshop& shop, VertexId kept, const std::vector<TetId>& tets, const Draft& draft) {
+  constexpr double kLongEdge = 1.6;
+  constexpr double kLeastMeritGain = 0.02;
+  const WorkMesh& mesh = shop.mesh;
+  const double longest = kLongEdge * shop.size_at(mesh.points[kept]);
+  const auto of = [&](const std::array<VertexId, 4>& v) {
+    return merit(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], mesh.points[v[3]]);
+  };
+  double gain = -kLeastMeritGain;
+  for (const TetId t : tets) gain -= of(mesh.tets[t]);
+  for (const NewTet& tet : draft.tets) {
+    gain += of(tet.vertices);
+    for (const VertexId v : tet.vertices) {
+      if ((mesh.points[v] - mesh.points[kept]).squaredNorm() > longest * longest) return false;
+    }
+  }
+  return gain > 0.0;
+}
 
-bool collapse_edge(Workshop& shop, VertexId gone, VertexId kept, double floor) {
+bool collapse(Workshop& shop, VertexId gone, VertexId kept, double floor, bool for_mean) {
   WorkMesh& mesh = shop.mesh;
   if (mesh.on[gone].dim == 0 || mesh.frozen[gone] || mesh.frozen[kept]) return false;
   if (mesh.on[gone].dim < mesh.on[kept].dim) return false;
@@ -185,6 +204,7 @@ bool collapse_edge(Workshop& shop, VertexId gone, VertexId kept, double floor) {
   star(mesh, gone, tets);
   Draft draft;
   if (!draft_tets(shop, gone, kept, tets, floor, draft)) return false;
+  if (for_mean && !raises_mean(shop, kept, tets, draft)) return false;
   const auto shared =
       std::find_if(tets.begin(), tets.end(), [&](TetId t) { return corner_of(mesh, t, kept) >= 0; });
   if (shared == tets.end()) return false;
@@ -216,6 +236,16 @@ bool collapse_edge(Workshop& shop, VertexId gone, VertexId kept, double floor) {
   shop.guard.take(draft.volumes);
   ++shop.report.collapses;
   return true;
+}
+
+}  // namespace
+
+bool collapse_edge(Workshop& shop, VertexId gone, VertexId kept, double floor) {
+  return collapse(shop, gone, kept, floor, false);
+}
+
+bool collapse_edge_for_mean(Workshop& shop, VertexId gone, VertexId kept, double floor) {
+  return collapse(shop, gone, kept, floor, true);
 }
 
 }  // namespace octet

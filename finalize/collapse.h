@@ -15,4 +15,8 @@ namespace octet {
 /// edge knows.
 bool collapse_edge(Workshop& shop, VertexId gone, VertexId kept, double floor);
 
+/// The same where it also raises the sum of merits (finalize/mean_shape.h) and makes no edge much longer than
+/// the local size.
+bool collapse_edge_for_mean(Workshop& shop, VertexId gone, VertexId kept, double floor);
+
 }  // namespace octet

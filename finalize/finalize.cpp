@@ -17,8 +17,7 @@ namespace octet {
 namespace {
 
 constexpr int kPasses = 8;
-/// Rounds of swaps and smoothing for the mean before the worst are chased; sweeps of smoothing in each.
-constexpr int kRounds = 2;
+/// Sweeps of smoothing after each round of swaps for the mean.
 constexpr int kSweeps = 2;
 /// Nothing is made worse than this for the mean, and single tetrahedra below it are worked on (radians, 35
 /// degrees): the tail of the shapes.
@@ -88,7 +87,9 @@ FinalizeReport finalize(Mesh& mesh, const Model& model, const FinalizeOptions& o
   const double polish = shape_of_angle(kPolishAngle);
   const double chased = shape_of_angle(std::max(kChaseAngle, options.target_dihedral));
   collapse_short_edges(shop);
-  for (int round = 0; round < kRounds; ++round) raise_mean(shop, polish, observer);
+  raise_mean(shop, polish, observer);
+  collapse_for_mean(shop, polish);
+  raise_mean(shop, polish, observer);
   improve_worst_first(shop, std::max(polish, chased), Effort::kPolish, observer);
   chase(shop, chased, polish, observer);
   raise_mean(shop, polish, observer);

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "finalize/cavity.h"
+#include "finalize/collapse.h"
 #include "finalize/edge_removal.h"
 #include "finalize/face_swap.h"
 #include "finalize/mean_smooth.h"
@@ -19,6 +20,11 @@ namespace {
 constexpr double kGoodEnough = 0.66;
 /// What a vertex's move of this share of an edge disturbs is smoothed again in the next sweep.
 constexpr double kDisturbs = 0.02;
+
+/// Tetrahedra of worse shape than this (42 degrees) may lose an edge that is shorter than this share of the
+/// size.
+constexpr double kCollapseBelow = 0.45;
+constexpr double kShortEdge = 0.75;
 
 /// The tetrahedra at each vertex, for the while that topology stays as it is.
 class Stars {
@@ -160,6 +166,22 @@ void relax_for_mean(Workshop& shop, double floor, int sweeps) {
       relax_list(shop, stars, list, floor, disturbed);
     }
     active.swap(disturbed);
+  }
+}
+
+void collapse_for_mean(Workshop& shop, double floor) {
+  const WorkMesh& mesh = shop.mesh;
+  const std::size_t count = mesh.tets.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const TetId t(i);
+    if (!mesh.alive(t) || mesh.quality[t] >= kCollapseBelow) continue;
+    const double short_edge = kShortEdge * shop.size_at(mesh.point(t, 0));
+    const auto v = mesh.tets[t];
+    for (const auto& e : kTetEdge) {
+      const VertexId a = v[e[0]], b = v[e[1]];
+      if ((mesh.points[a] - mesh.points[b]).squaredNorm() > short_edge * short_edge) continue;
+      if (collapse_edge_for_mean(shop, a, b, floor) || collapse_edge_for_mean(shop, b, a, floor)) break;
+    }
   }
 }
 

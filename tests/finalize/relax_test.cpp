@@ -32,12 +32,12 @@ double worst_shape(const WorkMesh& mesh) {
 
 /// The mesh after the pass, held to what each pass promises.
 template <class Pass>
-Mesh after(const Pass& pass, int threads) {
+Mesh after(const Pass& pass, int threads, double size = 0.25) {
   const Part part = jittered_cylinder();
   const std::vector<int> euler = testing::face_euler(part.mesh, part.model.count(2));
-  const FinalizeOptions options = testing::options_of_size(0.25);
+  const FinalizeOptions options = testing::options_of_size(size);
   Workshop shop(to_work_mesh(part.mesh), part.model, options);
-  const double floor = shape_of_angle(0.6), worst = worst_shape(shop.mesh);
+  const double floor = shape_of_angle(0.3), worst = worst_shape(shop.mesh);
   const double mean = quality_summary(part.mesh).mean_mean_ratio;
   tbb::task_arena arena(threads);
   arena.execute([&] { pass(shop, floor); });
@@ -61,6 +61,14 @@ TEST(Relax, SwapsRaiseTheMeanAndGiveTheSameMeshFromAnyNumberOfThreads) {
   const Mesh one = after(swap, 1), two = after(swap, 2);
   EXPECT_EQ(one.tets, two.tets);
   EXPECT_EQ(one.triangles, two.triangles);
+}
+
+TEST(Relax, CollapsesRaiseTheMeanAndKeepTheMeshRight) {
+  const auto collapse = [](Workshop& shop, double floor) {
+    collapse_for_mean(shop, floor);
+    EXPECT_GT(shop.report.collapses, 0u);
+  };
+  after(collapse, 1, 0.5);
 }
 
 TEST(Relax, LeavesALatticeThatIsGoodEnoughAlone) {
