@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The limits of reading a part as options of every command that reads one.
+// How a part is read, as options of every command that reads one.
 #include "app/reading_options.h"
 
 namespace octet {
 
 void add_reading_options(CLI::App& command, ReadOptions& reading) {
+  command
+      .add_option(
+          "--sew", reading.sew_tolerance,
+          "Sew loose faces and open solids within this distance in mm (default: the least that closes them, "
+          "up to 1e-4 of their diagonal)")
+      ->type_name("DISTANCE")
+      ->check(CLI::PositiveNumber);
   command
       .add_option("--read-time-limit", reading.time_limit,
                   "Refuse a part whose reading takes more seconds; 0: no limit (default: 300)")

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The limits of reading a part as options of every command that reads one.
+// How a part is read, as options of every command that reads one.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -8,7 +8,7 @@
 
 namespace octet {
 
-/// --read-time-limit and --read-memory-limit; both change what `reading` says.
+/// --sew, --read-time-limit and --read-memory-limit; they change what `reading` says.
 void add_reading_options(CLI::App& command, ReadOptions& reading);
 
 }  // namespace octet

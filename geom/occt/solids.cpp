@@ -4,21 +4,18 @@
 
 #include <fmt/format.h>
 
-#include <BRepBndLib.hxx>
-#include <BRepBuilderAPI_Sewing.hxx>
-#include <BRepLib.hxx>
-#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
-#include <Bnd_Box.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
-#include <TopoDS_Compound.hxx>
-#include <TopoDS_Solid.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Vertex.hxx>
 
 #include "base/error.h"
+#include "geom/occt/sew.h"
 
 namespace octet {
 namespace {
@@ -32,79 +29,6 @@ std::vector<TopoDS_Shape> loose_faces(const ShapeMaps& maps, const std::vector<T
   for (int i = 1; i <= maps.of[2].Extent(); ++i)
     if (!used.Contains(maps.of[2](i))) loose.push_back(maps.of[2](i));
   return loose;
-}
-
-TopoDS_Shape solid_from_shell(const TopoDS_Shape& shell) {
-  TopoDS_Solid solid;
-  BRep_Builder builder;
-  builder.MakeSolid(solid);
-  builder.Add(solid, shell.Oriented(TopAbs_FORWARD));
-  BRepLib::OrientClosedSolid(solid);
-  return solid;
-}
-
-/// Closed shells of `shape` outside its solids, as solids.
-std::vector<TopoDS_Shape> solids_from_shells(const TopoDS_Shape& shape) {
-  std::vector<TopoDS_Shape> solids;
-  TopTools_MapOfShape seen;
-  for (TopExp_Explorer it(shape, TopAbs_SHELL, TopAbs_SOLID); it.More(); it.Next())
-    if (seen.Add(it.Current()) && BRep_Tool::IsClosed(it.Current()))
-      solids.push_back(solid_from_shell(it.Current()));
-  return solids;
-}
-
-double diagonal_of(const TopoDS_Shape& shape) {
-  Bnd_Box box;
-  BRepBndLib::Add(shape, box, false);
-  return box.IsVoid() ? 0.0 : std::sqrt(box.SquareExtent());
-}
-
-void add_history(const BRepBuilderAPI_Sewing& sewing, const TopoDS_Shape& compound,
-                 BRepTools_History& history) {
-  for (const TopAbs_ShapeEnum type : {TopAbs_FACE, TopAbs_EDGE, TopAbs_VERTEX}) {
-    TopTools_IndexedMapOfShape map;
-    TopExp::MapShapes(compound, type, map);
-    for (int i = 1; i <= map.Extent(); ++i) {
-      const TopoDS_Shape image =
-          sewing.IsModified(map(i)) ? sewing.Modified(map(i)) : sewing.ModifiedSubShape(map(i));
-      if (image.IsNull() || image.IsSame(map(i))) continue;
-      for (TopExp_Explorer it(image, type); it.More(); it.Next()) history.AddModified(map(i), it.Current());
-    }
-  }
-}
-
-/// Sews with growing tolerance until shells close. The largest tolerance is a ten-thousandth of the part:
-/// above that sewing joins what is meant to be apart.
-std::vector<TopoDS_Shape> sew(const std::vector<TopoDS_Shape>& faces, SolidSet& set) {
-  TopoDS_Compound compound;
-  BRep_Builder builder;
-  builder.MakeCompound(compound);
-  for (const TopoDS_Shape& face : faces) builder.Add(compound, face);
-  const double diagonal = diagonal_of(compound);
-  std::vector<TopoDS_Shape> best;
-  std::size_t best_free = faces.size() * 1000;
-  Handle(BRepTools_History) best_history;
-  double best_tolerance = 0.0;
-  for (const double share : {1e-7, 1e-6, 1e-5, 1e-4}) {
-    BRepBuilderAPI_Sewing sewing(share * diagonal);
-    sewing.Add(compound);
-    sewing.Perform();
-    const auto solids = solids_from_shells(sewing.SewedShape());
-    const auto free = static_cast<std::size_t>(sewing.NbFreeEdges());
-    if (solids.empty() || free >= best_free) continue;
-    best = solids;
-    best_free = free;
-    best_tolerance = share * diagonal;
-    best_history = new BRepTools_History();
-    add_history(sewing, compound, *best_history);
-    if (free == 0) break;
-  }
-  if (best.empty()) return best;
-  set.history->Merge(best_history);
-  set.notes.push_back(fmt::format(
-      "{} loose faces sewn with tolerance {:.3g} mm into {} closed shell(s); {} free edge(s) left",
-      faces.size(), best_tolerance, best.size(), best_free));
-  return best;
 }
 
 /// A bounded middle point of an edge, by its vertices when it has no curve.
@@ -158,7 +82,7 @@ ShapeMaps::ShapeMaps(const TopoDS_Shape& shape) {
   for (int dim = 0; dim < 4; ++dim) TopExp::MapShapes(shape, kTypes[dim], of[dim]);
 }
 
-SolidSet collect_solids(const TopoDS_Shape& shape, const ShapeMaps& as_read) {
+SolidSet collect_solids(const TopoDS_Shape& shape, const ShapeMaps& as_read, double sew_tolerance) {
   SolidSet set;
   set.history = new BRepTools_History();
   for (int i = 1; i <= as_read.of[3].Extent(); ++i)
@@ -170,8 +94,14 @@ SolidSet collect_solids(const TopoDS_Shape& shape, const ShapeMaps& as_read) {
   }
   const auto loose = loose_faces(as_read, set.solids);
   if (!loose.empty()) {
-    const auto sewn = sew(loose, set);
-    set.solids.insert(set.solids.end(), sewn.begin(), sewn.end());
+    const Sewn sewn = sew_faces(loose, sew_tolerance);
+    if (!sewn.solids.empty()) {
+      set.history->Merge(sewn.history);
+      set.notes.push_back(fmt::format(
+          "{} loose faces sewn with tolerance {:.3g} mm into {} closed shell(s); {} free edge(s) left",
+          loose.size(), sewn.tolerance, sewn.solids.size(), sewn.free_edges));
+      set.solids.insert(set.solids.end(), sewn.solids.begin(), sewn.solids.end());
+    }
   }
   if (set.solids.empty()) throw_open(shape, as_read);
   note_left_out(as_read, set);

@@ -23,9 +23,10 @@ struct SolidSet {
   std::vector<std::string> notes;
 };
 
-/// Closed shells become solids, loose faces are sewn, touching solids are fused. `shape` is not changed.
+/// Closed shells become solids, loose faces are sewn (sew_faces()). `shape` is not changed.
 /// ModelError: nothing in it bounds a volume (names the first free edge, a face of it and its place).
-[[nodiscard]] SolidSet collect_solids(const TopoDS_Shape& shape, const ShapeMaps& as_read);
+[[nodiscard]] SolidSet collect_solids(const TopoDS_Shape& shape, const ShapeMaps& as_read,
+                                      double sew_tolerance);
 
 /// General fuse of the solids that touch; those apart from all others are left alone.
 void fuse_touching(SolidSet& set);

@@ -121,15 +121,6 @@ TEST(FromShape, LeavesOutFacesBesideASolidWithANote) {
   EXPECT_TRUE(any_note(model, "left out"));
 }
 
-TEST(FromShape, RefusesASolidTurnedInsideOut) {
-  try {
-    (void)model_from_shape(BRepPrimAPI_MakeBox(1, 1, 1).Shape().Reversed());
-    FAIL() << "an inverted solid was accepted";
-  } catch (const ModelError& error) {
-    EXPECT_EQ(error.entity(), model_region(1));
-  }
-}
-
 TEST(FromShape, RefusesANullShape) { EXPECT_THROW((void)model_from_shape(TopoDS_Shape()), InputError); }
 
 TEST(FromShape, DeflectionBoundsTheFacets) {

@@ -273,9 +273,12 @@ TEST(NastyCases, AVoidIsOutside) {
   });
 }
 
-TEST(NastyCases, ASolidTurnedInsideOutIsRefused) {
-  for (const Variant& variant : variants())
-    EXPECT_THROW(model_from_shape(variant(box(1, 1, 1).Reversed())), ModelError) << variant.name;
+TEST(NastyCases, ASolidTurnedInsideOutIsTurnedBack) {
+  in_all_variants(box(1, 1, 1).Reversed(), [](const Asked& part) {
+    part.expect_line({-1, 0.4, 0.3}, {2, 0.4, 0.3}, "f+ f+");
+    part.expect_region({0.5, 0.5, 0.5}, 1);
+    part.expect_region({1.5, 0.5, 0.5}, 0);
+  });
 }
 
 TEST(NastyCases, SolidsThatShareAFaceAreCrossedOnce) {

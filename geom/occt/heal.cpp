@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Repairs what is wrong with solids, and says what it changed.
+#include "geom/occt/heal.h"
+
+#include <fmt/format.h>
+
+#include <BRepClass3d_SolidClassifier.hxx>
+#include <BRepLib.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom2d_Curve.hxx>
+#include <Geom_Curve.hxx>
+#include <Precision.hxx>
+#include <ShapeFix_Edge.hxx>
+#include <ShapeFix_Shell.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Iterator.hxx>
+#include <TopoDS_Shell.hxx>
+#include <TopoDS_Solid.hxx>
+
+#include "geom/occt/sew.h"
+
+namespace octet {
+namespace {
+
+/// How often one edge of a solid is used in either direction.
+struct Uses {
+  int forward = 0, reversed = 0;
+  [[nodiscard]] bool open() const { return forward + reversed == 1; }
+  [[nodiscard]] bool turned() const { return forward + reversed == 2 && forward != 1; }
+};
+
+struct EdgeUses {
+  TopTools_IndexedMapOfShape edges;
+  std::vector<Uses> uses;  ///< by index, [0] unused
+  [[nodiscard]] int first(bool (Uses::*wrong)() const) const {
+    for (std::size_t i = 1; i < uses.size(); ++i)
+      if ((uses[i].*wrong)()) return static_cast<int>(i);
+    return 0;
+  }
+};
+
+EdgeUses edge_uses(const TopoDS_Shape& solid) {
+  EdgeUses result;
+  result.uses.resize(1);
+  for (TopExp_Explorer faces(solid, TopAbs_FACE); faces.More(); faces.Next()) {
+    // A face inside a solid bounds it on neither side.
+    const TopAbs_Orientation way = faces.Current().Orientation();
+    if (way == TopAbs_INTERNAL || way == TopAbs_EXTERNAL) continue;
+    for (TopExp_Explorer it(faces.Current(), TopAbs_EDGE); it.More(); it.Next()) {
+      const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
+      if (BRep_Tool::Degenerated(edge)) continue;
+      const auto index = static_cast<std::size_t>(result.edges.Add(edge));
+      if (index == result.uses.size()) result.uses.emplace_back();
+      result.uses[index].forward += edge.Orientation() == TopAbs_FORWARD ? 1 : 0;
+      result.uses[index].reversed += edge.Orientation() == TopAbs_REVERSED ? 1 : 0;
+    }
+  }
+  return result;
+}
+
+class Healer {
+ public:
+  Healer(const ShapeMaps& as_read, double sew_tolerance, const StageLog& log, SolidSet& set)
+      : as_read_(as_read), sew_tolerance_(sew_tolerance), log_(log), set_(set) {}
+
+  void run() {
+    for (std::size_t i = 0; i < set_.solids.size(); ++i) {
+      log_(fmt::format("checking {}", name_of(set_.solids[i])));
+      add_curves(set_.solids[i]);
+      turn_faces(set_.solids[i]);
+      close(set_.solids[i]);
+      turn_inside_out(set_.solids[i]);
+    }
+    if (curves_ > 0)
+      set_.notes.push_back(
+          fmt::format("{} edge(s) had no curve in space and got that of their face, the first is {}", curves_,
+                      first_curve_));
+    if (pcurves_ > 0)
+      set_.notes.push_back(fmt::format("{} edge(s) had no curve on a face and got one, the first is {}",
+                                       pcurves_, first_pcurve_));
+  }
+
+ private:
+  [[nodiscard]] std::string numbered(const char* kind, int dim, const TopoDS_Shape& shape) const {
+    const int number = as_read_.of[dim].FindIndex(shape);
+    return number > 0 ? fmt::format("{} {}", kind, number) : fmt::format("a new {}", kind);
+  }
+  [[nodiscard]] std::string name_of(const TopoDS_Shape& solid) const { return numbered("Solid", 3, solid); }
+
+  void add_curves(const TopoDS_Shape& solid) {
+    for (TopExp_Explorer faces(solid, TopAbs_FACE); faces.More(); faces.Next()) {
+      const TopoDS_Face face = TopoDS::Face(faces.Current().Oriented(TopAbs_FORWARD));
+      for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
+        const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
+        if (BRep_Tool::Degenerated(edge)) continue;
+        add_curve(edge);
+        add_pcurve(edge, face);
+      }
+    }
+  }
+
+  void add_curve(const TopoDS_Edge& edge) {
+    double first = 0.0, last = 0.0;
+    if (!BRep_Tool::Curve(edge, first, last).IsNull() || !BRepLib::BuildCurve3d(edge)) return;
+    if (curves_++ == 0) first_curve_ = numbered("Edge", 1, edge);
+  }
+
+  void add_pcurve(const TopoDS_Edge& edge, const TopoDS_Face& face) {
+    double first = 0.0, last = 0.0;
+    if (!BRep_Tool::CurveOnSurface(edge, face, first, last).IsNull()) return;
+    ShapeFix_Edge fix;
+    if (!fix.FixAddPCurve(edge, face, false, Precision::Confusion())) return;
+    if (pcurves_++ == 0) first_pcurve_ = numbered("Edge", 1, edge) + " on " + numbered("Face", 2, face);
+  }
+
+  /// A new solid in the place of `solid`, of the same orientation.
+  void replace(TopoDS_Shape& solid, const TopoDS_Shape& by) {
+    set_.history->AddModified(solid, by);
+    solid = by;
+  }
+
+  void turn_faces(TopoDS_Shape& solid) {
+    const EdgeUses uses = edge_uses(solid);
+    const int wrong = uses.first(&Uses::turned);
+    if (wrong == 0) return;
+    const BRep_Builder builder;
+    TopoDS_Solid made;
+    builder.MakeSolid(made);
+    for (TopoDS_Iterator it(solid); it.More(); it.Next()) {
+      if (it.Value().ShapeType() != TopAbs_SHELL) continue;
+      ShapeFix_Shell fix;
+      fix.FixFaceOrientation(TopoDS::Shell(it.Value()));
+      for (TopExp_Explorer shell(fix.Shape(), TopAbs_SHELL); shell.More(); shell.Next())
+        builder.Add(made, shell.Current());
+    }
+    if (edge_uses(made).first(&Uses::turned) != 0) return;
+    set_.notes.push_back(
+        fmt::format("faces of {} were turned so that they agree along their edges, first at {}",
+                    name_of(solid), numbered("Edge", 1, uses.edges(wrong))));
+    replace(solid, made);
+  }
+
+  void close(TopoDS_Shape& solid) {
+    const EdgeUses uses = edge_uses(solid);
+    const int wrong = uses.first(&Uses::open);
+    if (wrong == 0) return;
+    std::vector<TopoDS_Shape> faces;
+    for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next()) faces.push_back(it.Current());
+    const Sewn sewn = sew_faces(faces, sew_tolerance_);
+    if (sewn.solids.size() != 1 || sewn.free_edges > 0) return;
+    set_.notes.push_back(
+        fmt::format("{} was open at {} and was closed by sewing its faces with tolerance {:.3g} mm",
+                    name_of(solid), numbered("Edge", 1, uses.edges(wrong)), sewn.tolerance));
+    set_.history->Merge(sewn.history);
+    replace(solid, sewn.solids.front());
+  }
+
+  void turn_inside_out(TopoDS_Shape& solid) {
+    if (set_.solids.size() < 2 || edge_uses(solid).first(&Uses::open) != 0) return;
+    BRepClass3d_SolidClassifier classifier(solid);
+    classifier.PerformInfinitePoint(Precision::Confusion());
+    if (classifier.State() != TopAbs_IN) return;
+    set_.notes.push_back(fmt::format(
+        "{} was turned inside out (it filled all space but a hole) and was turned back", name_of(solid)));
+    solid.Reverse();
+  }
+
+  const ShapeMaps& as_read_;
+  double sew_tolerance_;
+  const StageLog& log_;
+  SolidSet& set_;
+  int curves_ = 0, pcurves_ = 0;
+  std::string first_curve_, first_pcurve_;
+};
+
+}  // namespace
+
+std::string inside_out_note(const std::string& solid) {
+  return solid + " was turned inside out (it filled all space but a hole) and was turned back";
+}
+
+void heal(const ShapeMaps& as_read, double sew_tolerance, const StageLog& log, SolidSet& set) {
+  Healer(as_read, sew_tolerance, log, set).run();
+}
+
+}  // namespace octet

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Repairs what is wrong with solids, and says what it changed.
+#pragma once
+
+#include "geom/occt/child_process.h"
+#include "geom/occt/solids.h"
+
+namespace octet {
+
+/// Nothing is touched that is right, and each repair is one line in set.notes with its count and the first
+/// entity, numbered as read:
+///  1. edges without a curve in space, and edges without a curve on a face, get one;
+///  2. a solid whose faces are not turned alike: they are turned as their neighbours;
+///  3. an open solid: its faces are sewn, with `sew_tolerance` (0: growing ones), where that closes it;
+///  4. where there are several, a solid turned inside out, so that it fills all space but its hole, is turned
+///     before they are fused (a single one shows by its facets, which is surer).
+/// What remains open or damaged is left for the later stages to name.
+void heal(const ShapeMaps& as_read, double sew_tolerance, const StageLog& log, SolidSet& set);
+
+/// What the notes say of a solid that was turned.
+[[nodiscard]] std::string inside_out_note(const std::string& solid);
+
+}  // namespace octet

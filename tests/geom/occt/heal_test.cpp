@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is wrong with a solid is repaired, told in the notes, and nothing else is touched.
+#include <gtest/gtest.h>
+
+#include <BRepBuilderAPI_Copy.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepTools_ReShape.hxx>
+#include <BRep_Builder.hxx>
+#include <Geom2d_Curve.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Shell.hxx>
+#include <TopoDS_Solid.hxx>
+#include <gp_Trsf.hxx>
+#include <numbers>
+
+#include "base/error.h"
+#include "geom/model_check.h"
+#include "geom/occt/from_shape.h"
+
+namespace octet::test {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+std::vector<TopoDS_Face> faces_of(const TopoDS_Shape& shape) {
+  std::vector<TopoDS_Face> faces;
+  for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next())
+    faces.push_back(TopoDS::Face(it.Current()));
+  return faces;
+}
+
+TopoDS_Shape solid_of(const std::vector<TopoDS_Face>& faces) {
+  const BRep_Builder builder;
+  TopoDS_Shell shell;
+  builder.MakeShell(shell);
+  for (const TopoDS_Face& face : faces) builder.Add(shell, face);
+  TopoDS_Solid solid;
+  builder.MakeSolid(solid);
+  builder.Add(solid, shell);
+  return solid;
+}
+
+/// The faces of a box, each moved away from its centre.
+TopoDS_Shape exploded_box(double gap) {
+  const BRep_Builder builder;
+  TopoDS_Compound all;
+  builder.MakeCompound(all);
+  const std::vector<TopoDS_Face> faces = faces_of(BRepPrimAPI_MakeBox(1.0, 2.0, 3.0).Shape());
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    gp_Trsf away;
+    gp_XYZ step(0.0, 0.0, 0.0);
+    step.SetCoord(static_cast<int>(i / 2) + 1, i % 2 == 0 ? -gap : gap);
+    away.SetTranslation(gp_Vec(step));
+    builder.Add(all, BRepBuilderAPI_Copy(faces[i]).Shape().Moved(away));
+  }
+  return all;
+}
+
+std::string note_with(const Model& model, const std::string& words) {
+  for (const std::string& note : model.notes())
+    if (note.find(words) != std::string::npos) return note;
+  return {};
+}
+
+TEST(Heal, SaysNothingOfAHealthyPart) {
+  EXPECT_TRUE(model_from_shape(BRepPrimAPI_MakeBox(1.0, 2.0, 3.0).Shape()).notes().empty());
+  EXPECT_TRUE(model_from_shape(BRepPrimAPI_MakeCylinder(1.0, 2.0).Shape()).notes().empty());
+}
+
+TEST(Heal, TurnsFacesThatDisagreeWithTheirNeighbours) {
+  std::vector<TopoDS_Face> faces = faces_of(BRepPrimAPI_MakeBox(1.0, 2.0, 3.0).Shape());
+  faces[3].Reverse();
+  const Model model = model_from_shape(solid_of(faces));
+  EXPECT_NE(note_with(model, "were turned so that they agree"), "");
+  EXPECT_NEAR(model.region(1).volume, 6.0, 1e-9);
+  EXPECT_EQ(check_model(model), "");
+}
+
+TEST(Heal, TurnsASolidThatFillsAllButAHole) {
+  const Model model = model_from_shape(BRepPrimAPI_MakeBox(1.0, 2.0, 3.0).Shape().Reversed());
+  EXPECT_NE(note_with(model, "Solid 1 was turned inside out"), "");
+  EXPECT_NEAR(model.region(1).volume, 6.0, 1e-9);
+  EXPECT_EQ(check_model(model), "");
+}
+
+TEST(Heal, TurnsOneOfTwoSolidsThatTouchBeforeTheyAreFused) {
+  const BRep_Builder builder;
+  TopoDS_Compound both;
+  builder.MakeCompound(both);
+  builder.Add(both, BRepPrimAPI_MakeBox(gp_Pnt(0, 0, 0), gp_Pnt(1, 1, 1)).Shape());
+  builder.Add(both, BRepPrimAPI_MakeBox(gp_Pnt(1, 0, 0), gp_Pnt(2, 1, 1)).Shape().Reversed());
+  const Model model = model_from_shape(both);
+  EXPECT_NE(note_with(model, "Solid 2 was turned inside out"), "");
+  ASSERT_EQ(model.count(3), 2);
+  EXPECT_EQ(model.count(2), 11);
+  for (int region = 1; region <= 2; ++region) EXPECT_NEAR(model.region(region).volume, 1.0, 1e-9);
+  EXPECT_EQ(check_model(model), "");
+}
+
+TEST(Heal, SewsAnOpenSolidWhoseFacesOnlyNearlyMeet) {
+  std::vector<TopoDS_Face> loose;
+  for (const TopoDS_Face& face : faces_of(exploded_box(1e-6))) loose.push_back(face);
+  const Model model = model_from_shape(solid_of(loose));
+  EXPECT_NE(note_with(model, "was closed by sewing its faces"), "");
+  EXPECT_NEAR(model.region(1).volume, 6.0, 1e-4);
+}
+
+TEST(Heal, SewsWithinTheToleranceAsked) {
+  const TopoDS_Shape apart = exploded_box(0.01);
+  EXPECT_THROW((void)model_from_shape(apart), ModelError);
+  ReadOptions options;
+  options.sew_tolerance = 0.05;
+  const Model model = model_from_shape(apart, options);
+  EXPECT_NE(note_with(model, "sewn with tolerance 0.05 mm"), "");
+  EXPECT_EQ(model.count(3), 1);
+  EXPECT_EQ(model.count(2), 6);
+  EXPECT_EQ(model.count(1), 12);
+  EXPECT_EQ(model.count(0), 8);
+  EXPECT_NEAR(model.region(1).volume, 6.0, 0.3);
+}
+
+TEST(Heal, GivesEdgesWithoutACurveOnTheirFaceOne) {
+  const TopoDS_Shape part = BRepPrimAPI_MakeCylinder(1.0, 2.0).Shape();
+  const BRep_Builder builder;
+  for (const TopoDS_Face& face : faces_of(part)) {
+    if (faces_of(part).front().IsSame(face)) {
+      for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
+        const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
+        if (!BRep_Tool::IsClosed(edge, face)) builder.UpdateEdge(edge, Handle(Geom2d_Curve)(), face, 1e-7);
+      }
+    }
+  }
+  const Model model = model_from_shape(part);
+  EXPECT_NE(note_with(model, "had no curve on a face and got one"), "");
+  EXPECT_NEAR(model.region(1).volume, 2.0 * kPi, 1e-6);
+  EXPECT_EQ(check_model(model), "");
+}
+
+}  // namespace
+}  // namespace octet::test
