@@ -165,8 +165,7 @@ class Healer {
     BRepClass3d_SolidClassifier classifier(solid);
     classifier.PerformInfinitePoint(Precision::Confusion());
     if (classifier.State() != TopAbs_IN) return;
-    set_.notes.push_back(fmt::format(
-        "{} was turned inside out (it filled all space but a hole) and was turned back", name_of(solid)));
+    set_.notes.push_back(inside_out_note(name_of(solid)));
     solid.Reverse();
   }
 
