@@ -41,6 +41,7 @@ struct MeshReport {
   MeshStatus status = MeshStatus::kIncomplete;
   double size = 0.0;  ///< the size used
   std::vector<Fault> faults;
+  std::vector<Fault> warnings;  ///< what is a danger at this size though the mesh may be complete: wide gaps
   QualitySummary quality;
   Acceptance acceptance;
   double volume = 0.0, cad_volume = 0.0;

@@ -16,12 +16,21 @@
 #include "app/stage_clock.h"
 #include "classify/extract.h"
 #include "finalize/finalize.h"
+#include "geom/wide_gaps.h"
 
 namespace octet {
 namespace {
 
 /// How often octants are subdivided where gaps survive.
 constexpr int kSubdivisions = 2;
+
+Fault warning_of(const WideGap& gap) {
+  const char* what = gap.entity.dim == 1 ? "runs beside its faces" : "lies off the ends of its edges";
+  return {
+      gap.entity, gap.place,
+      fmt::format("it {} by up to {:.3g} mm, {:.2g} of the size there", what, gap.gap, gap.gap / gap.local),
+      "mend the part there, or ask for a larger size"};
+}
 
 class Run {
  public:
@@ -75,6 +84,8 @@ class Run {
                       h, elements, options_.max_elements));
     plan_ = plan_sizes(model_, options_);
     result_.report.size = plan_.asked;
+    for (const WideGap& gap : wide_gaps(model_, plan_.asked))
+      result_.report.warnings.push_back(warning_of(gap));
     octant_ = octant_request(plan_).size;
   }
 

@@ -137,6 +137,7 @@ std::string mesh_report_json(const RunNames& names, const Model& model, const Me
                              {"cpu_seconds", time.cpu_seconds},
                              {"peak_bytes", time.peak_bytes}});
   json["faults"] = faults_json(model, report.faults);
+  json["warnings"] = faults_json(model, report.warnings);
   json["claims"] = claims_json(model, report.acceptance);
   return text_of(json);
 }

@@ -109,6 +109,9 @@ std::string mesh_summary(const Model& model, const MeshReport& report) {
   text += measure_line("volume", "mm^3", report.volume, report.cad_volume);
   text += measure_line("area", "mm^2", report.area, report.cad_area);
   text += times_line(report.times);
+  if (!report.warnings.empty())
+    text += fmt::format("  warnings {}: the part is open there by more than a twentieth of the size\n{}",
+                        report.warnings.size(), fault_lines(model, report.warnings));
   if (report.status == MeshStatus::kComplete)
     return text + fmt::format("  status   complete: all {} claims hold\n", report.acceptance.claims.size());
   text += fmt::format("  status   incomplete: {} faults\n", report.faults.size());
