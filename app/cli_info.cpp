@@ -6,8 +6,8 @@
 
 #include "app/commands.h"
 #include "app/exit_code.h"
-#include "app/report_json.h"
-#include "app/summary.h"
+#include "app/info_json.h"
+#include "app/info_text.h"
 #include "geom/occt/read_part.h"
 
 namespace octet {
@@ -16,10 +16,12 @@ int run_info(const InfoCommand& command) {
   const Model model = read_part(command.part, command.reading);
   const PartInfo info = part_info(model);
   const std::string name = command.part.string();
-  if (command.json)
+  if (command.json) {
     fmt::print("{}", part_info_json(name, model, info));
-  else
-    fmt::print("{}\n{}", name, part_summary(model, info));
+  } else {
+    fmt::print("{}\n{}", name, part_text(model, info));
+    if (command.entities) fmt::print("{}", entity_table(model));
+  }
   return kExitComplete;
 }
 

@@ -11,6 +11,7 @@
 #include <system_error>
 #include <thread>
 
+#include "app/apart.h"
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/exit_code.h"
@@ -90,7 +91,8 @@ int mesh_to_file(const MeshCommand& command, const MeshOptions& options, const L
   for (const std::string& note : model.notes()) console.note(note);
   const StageTime reading = clock.lap("reading");
 
-  MeshResult result = mesh_part(model, options, console);
+  MeshResult result =
+      command.reading.fuse ? mesh_part(model, options, console) : mesh_apart(model, options, console);
   MeshReport& report = result.report;
   report.times.insert(report.times.begin(), reading);
 

@@ -27,7 +27,7 @@ struct MeshCommand {
 struct InfoCommand {
   std::filesystem::path part;
   ReadOptions reading;
-  bool json = false;
+  bool json = false, entities = false;
 };
 
 struct CheckCommand {

@@ -87,7 +87,8 @@ void add_mesh(CLI::App& app, MeshCommand& mesh) {
 void add_info(CLI::App& app, InfoCommand& info) {
   CLI::App& sub = *app.add_subcommand("info", "Tell what a part is: unit, size, entities, names, faults");
   sub.add_option("part", info.part, "STEP, IGES or BREP file")->required()->type_name("FILE");
-  sub.add_flag("--json", info.json, "Print JSON");
+  sub.add_flag("--json", info.json, "Print JSON, with every entity");
+  sub.add_flag("--entities", info.entities, "Print a line for every entity, too");
   add_reading_options(sub, info.reading);
   sub.footer(kFooter);
 }

@@ -40,21 +40,33 @@ std::vector<Box3> face_boxes(const Model& model) {
 }
 
 OutlineEntity outline_vertex(const Model& model, int tag) {
-  OutlineEntity entity{tag, model.vertex(tag).name, {}, {}};
+  OutlineEntity entity;
+  entity.tag = tag;
+  entity.name = model.vertex(tag).name;
   entity.box.add(model.vertex(tag).point);
   return entity;
 }
 
 OutlineEntity outline_edge(const Model& model, int tag) {
   const ModelEdge& edge = model.edge(tag);
-  OutlineEntity entity{tag, edge.name, edge_box(model, tag), {}};
+  OutlineEntity entity;
+  entity.tag = tag;
+  entity.name = edge.name;
+  entity.colour = edge.colour;
+  entity.layer = edge.layer;
+  entity.box = edge_box(model, tag);
   if (edge.vertex[0] > 0) entity.bounded_by.push_back(edge.vertex[0]);
   if (edge.vertex[1] > 0) entity.bounded_by.push_back(-edge.vertex[1]);
   return entity;
 }
 
 OutlineEntity outline_face(const Model& model, int tag, const Box3& box) {
-  OutlineEntity entity{tag, model.face(tag).name, box, {}};
+  OutlineEntity entity;
+  entity.tag = tag;
+  entity.name = model.face(tag).name;
+  entity.colour = model.face(tag).colour;
+  entity.layer = model.face(tag).layer;
+  entity.box = box;
   for (const FaceBoundary& side : model.face(tag).boundary)
     if (model.edge(side.edge).use == EdgeUse::kReal) entity.bounded_by.push_back(side.sense * side.edge);
   return entity;
@@ -62,7 +74,12 @@ OutlineEntity outline_face(const Model& model, int tag, const Box3& box) {
 
 OutlineEntity outline_region(const Model& model, int tag, const std::vector<Box3>& boxes) {
   const ModelRegion& region = model.region(tag);
-  OutlineEntity entity{tag, region.name, {}, {}};
+  OutlineEntity entity;
+  entity.tag = tag;
+  entity.name = region.name;
+  entity.colour = region.colour;
+  entity.layer = region.layer;
+  entity.material = region.material;
   for (const int f : region.faces) {
     entity.box.add(boxes[static_cast<std::size_t>(f)]);
     // The face normal points from region[0] to region[1]: outwards for the region behind it.

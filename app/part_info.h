@@ -2,11 +2,27 @@
 // What `octet info` tells of a part.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <vector>
 
 #include "geom/model.h"
+#include "geom/thickness.h"
 
 namespace octet {
+
+/// The faces that two regions share.
+struct Interface {
+  std::array<int, 2> regions{0, 0};  ///< ascending
+  std::vector<int> faces;            ///< ascending
+  double area = 0.0;                 ///< mm^2
+};
+
+/// Numbers that fusing or healing changed: what an entity as read became.
+struct NumberChange {
+  ModelRef as_read;
+  std::vector<int> tags;  ///< ascending; never just the number as read, nor empty (that is LeftOut)
+};
 
 struct PartInfo {
   /// Of the facets' nodes, which lie on the part: short of the exact box by no more than the facets deviate
@@ -17,10 +33,17 @@ struct PartInfo {
   double volume = 0.0;    ///< of all regions, mm^3
   double area = 0.0;      ///< of all faces between two regions or a region and the outside, mm^2
   int seams = 0, degenerate = 0;
-  std::vector<int> free_edges;      ///< real edges with one face on one side only
-  std::vector<int> nonmanifold;     ///< real edges with more than two faces
-  std::vector<int> dangling_faces;  ///< faces with the same region, or none, on both sides
-  double default_size = 0.0;        ///< what `octet mesh` takes without --size, mm
+  std::vector<int> free_edges;   ///< real edges with one face on one side only
+  std::vector<int> nonmanifold;  ///< real edges with more than two faces
+  /// Vertices at which the boundary towards the outside touches itself: its faces there are not one fan over
+  /// common edges. Legal, but no mesh is a manifold there.
+  std::vector<int> pinched;
+  std::vector<int> dangling_faces;    ///< faces with the same region, or none, on both sides
+  std::vector<Interface> interfaces;  ///< ascending by regions
+  std::vector<Overlap> overlaps;
+  std::vector<NumberChange> changes;  ///< by dimension, from vertices up
+  std::optional<Wall> thinnest;
+  double default_size = 0.0;  ///< what `octet mesh` takes without --size, mm
 };
 
 [[nodiscard]] PartInfo part_info(const Model& model);

@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 
+#include "app/apart.h"
 #include "app/attempt.h"
 #include "app/measures.h"
 #include "app/mesh_part.h"
@@ -218,11 +219,18 @@ class Run {
   std::unique_ptr<Attempt> band_;
 };
 
+bool has_faces_that_bound_nothing(const Model& model) {
+  for (int f = 1; f <= model.count(2); ++f)
+    if (model.face(f).region[0] == model.face(f).region[1]) return true;
+  return false;
+}
+
 }  // namespace
 
 MeshResult mesh_part(const Model& model, const MeshOptions& options, Observer& observer) {
   if (options.threads < 1)
     throw InputError(fmt::format("the number of threads must be at least 1, not {}", options.threads));
+  if (has_faces_that_bound_nothing(model)) return mesh_apart(model, options, observer);
   MeshResult result;
   tbb::task_arena arena(options.threads);
   arena.execute([&] { result = Run(model, options, observer).run(); });

@@ -5,6 +5,8 @@
 namespace octet {
 
 void add_reading_options(CLI::App& command, ReadOptions& reading) {
+  command.add_flag("!--no-fuse", reading.fuse,
+                   "Keep solids that touch apart: they share no faces, and their meshes do not fit");
   command
       .add_option(
           "--sew", reading.sew_tolerance,

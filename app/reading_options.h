@@ -8,7 +8,7 @@
 
 namespace octet {
 
-/// --sew, --read-time-limit and --read-memory-limit; they change what `reading` says.
+/// --no-fuse, --sew, --read-time-limit and --read-memory-limit; they change what `reading` says.
 void add_reading_options(CLI::App& command, ReadOptions& reading);
 
 }  // namespace octet

@@ -66,54 +66,6 @@ Json quality_json(const QualitySummary& quality) {
           {"mean_mean_ratio", quality.mean_mean_ratio}};
 }
 
-const char* use_name(EdgeUse use) {
-  switch (use) {
-    case EdgeUse::kReal:
-      return "real";
-    case EdgeUse::kSeam:
-      return "seam";
-    default:
-      return "degenerate";
-  }
-}
-
-Json edges_json(const Model& model) {
-  Json json = Json::array();
-  for (int e = 1; e <= model.count(1); ++e) {
-    const ModelEdge& edge = model.edge(e);
-    json.push_back({{"tag", e},
-                    {"name", edge.name},
-                    {"use", use_name(edge.use)},
-                    {"length", edge.length},
-                    {"vertices", edge.vertex},
-                    {"faces", edge.faces}});
-  }
-  return json;
-}
-
-Json faces_json(const Model& model) {
-  Json json = Json::array();
-  for (int f = 1; f <= model.count(2); ++f) {
-    const ModelFace& face = model.face(f);
-    json.push_back({{"tag", f},
-                    {"name", face.name},
-                    {"colour", face.colour},
-                    {"surface", model.surface(f).kind()},
-                    {"area", face.area},
-                    {"regions", face.region}});
-  }
-  return json;
-}
-
-Json regions_json(const Model& model) {
-  Json json = Json::array();
-  for (int r = 1; r <= model.count(3); ++r) {
-    const ModelRegion& region = model.region(r);
-    json.push_back({{"tag", r}, {"name", region.name}, {"volume", region.volume}, {"faces", region.faces}});
-  }
-  return json;
-}
-
 }  // namespace
 
 std::string mesh_report_json(const RunNames& names, const Model& model, const MeshReport& report) {
@@ -145,31 +97,6 @@ std::string mesh_report_json(const RunNames& names, const Model& model, const Me
 std::string failure_json(const RunNames& names, const std::string& message) {
   Json json = head_json(names, "failed");
   json["error"] = message;
-  return text_of(json);
-}
-
-std::string part_info_json(const std::string& part, const Model& model, const PartInfo& info) {
-  Json json{{"octet", OCTET_VERSION}, {"part", part}, {"unit", model.unit()}};
-  json["box"] = {{"lo", vec_json(info.box.lo)}, {"hi", vec_json(info.box.hi)}};
-  json["size"] = vec_json(info.box.size());
-  json["diagonal"] = info.box.diagonal();
-  json["default_size"] = info.default_size;
-  json["volume"] = info.volume;
-  json["area"] = info.area;
-  json["counts"] = {{"regions", model.count(3)}, {"faces", model.count(2)},
-                    {"edges", model.count(1)},   {"vertices", model.count(0)},
-                    {"seams", info.seams},       {"degenerate_edges", info.degenerate}};
-  if (info.smallest_edge > 0)
-    json["smallest_edge"] = {{"tag", info.smallest_edge}, {"length", model.edge(info.smallest_edge).length}};
-  if (info.smallest_face > 0)
-    json["smallest_face"] = {{"tag", info.smallest_face}, {"area", model.face(info.smallest_face).area}};
-  json["free_edges"] = info.free_edges;
-  json["nonmanifold_edges"] = info.nonmanifold;
-  json["dangling_faces"] = info.dangling_faces;
-  json["notes"] = model.notes();
-  json["regions"] = regions_json(model);
-  json["faces"] = faces_json(model);
-  json["edges"] = edges_json(model);
   return text_of(json);
 }
 

@@ -5,7 +5,6 @@
 #include <string>
 
 #include "app/mesh_part.h"
-#include "app/part_info.h"
 
 namespace octet {
 
@@ -20,7 +19,6 @@ struct RunNames {
                                            const MeshReport& report);
 /// The report of a run that ended without a mesh.
 [[nodiscard]] std::string failure_json(const RunNames& names, const std::string& message);
-[[nodiscard]] std::string part_info_json(const std::string& part, const Model& model, const PartInfo& info);
 [[nodiscard]] std::string acceptance_json(const RunNames& names, const Model& model,
                                           const Acceptance& acceptance);
 

@@ -11,8 +11,6 @@ namespace {
 
 constexpr double kDegree = 180.0 / M_PI;
 constexpr std::size_t kShownFaults = 10;
-constexpr std::size_t kShownNames = 20;
-constexpr std::size_t kShownTags = 10;
 
 std::string place_text(const Vec3& p) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x(), p.y(), p.z()); }
 
@@ -47,50 +45,6 @@ std::string times_line(const std::vector<StageTime>& times) {
   return fmt::format("  {:<9}{:.2f} s: {}\n", "time", total, parts);
 }
 
-std::string tag_list(const char* prefix, const std::vector<int>& tags) {
-  std::string text;
-  for (std::size_t i = 0; i < tags.size() && i < kShownTags; ++i)
-    text += fmt::format("{}{}{}", i == 0 ? "" : ", ", prefix, tags[i]);
-  if (tags.size() > kShownTags) text += fmt::format(" and {} more", tags.size() - kShownTags);
-  return text;
-}
-
-std::string name_lines(const Model& model) {
-  std::string text;
-  std::size_t named = 0;
-  const auto add = [&](ModelRef entity, const std::string& name) {
-    if (!name.empty() && ++named <= kShownNames) text += fmt::format("    {}\n", model.describe(entity));
-  };
-  for (int r = 1; r <= model.count(3); ++r) add(model_region(r), model.region(r).name);
-  for (int f = 1; f <= model.count(2); ++f) add(model_face(f), model.face(f).name);
-  for (int e = 1; e <= model.count(1); ++e) add(model_edge(e), model.edge(e).name);
-  for (int v = 1; v <= model.count(0); ++v) add(model_vertex(v), model.vertex(v).name);
-  if (named > kShownNames) text += fmt::format("    and {} more (--json lists all)\n", named - kShownNames);
-  return named == 0 ? std::string("  names    none\n") : fmt::format("  names    {}\n{}", named, text);
-}
-
-std::string smallest_lines(const Model& model, const PartInfo& info) {
-  std::string text;
-  if (info.smallest_edge > 0)
-    text += fmt::format("  smallest edge  {}, {:.6g} mm\n", model.describe(model_edge(info.smallest_edge)),
-                        model.edge(info.smallest_edge).length);
-  if (info.smallest_face > 0)
-    text += fmt::format("  smallest face  {}, {:.6g} mm^2\n", model.describe(model_face(info.smallest_face)),
-                        model.face(info.smallest_face).area);
-  return text;
-}
-
-std::string fault_summary(const PartInfo& info) {
-  std::string text;
-  if (!info.free_edges.empty())
-    text += fmt::format("  free edges       {}\n", tag_list("Edge", info.free_edges));
-  if (!info.nonmanifold.empty())
-    text += fmt::format("  shared edges     {} (more than two faces)\n", tag_list("Edge", info.nonmanifold));
-  if (!info.dangling_faces.empty())
-    text += fmt::format("  dangling faces   {}\n", tag_list("Face", info.dangling_faces));
-  return text.empty() ? "  faults   none: every face bounds a region, every edge joins faces\n" : text;
-}
-
 }  // namespace
 
 std::string quality_line(const char* name, const QualitySummary& q) {
@@ -116,24 +70,6 @@ std::string mesh_summary(const Model& model, const MeshReport& report) {
     return text + fmt::format("  status   complete: all {} claims hold\n", report.acceptance.claims.size());
   text += fmt::format("  status   incomplete: {} faults\n", report.faults.size());
   return text + fault_lines(model, report.faults);
-}
-
-std::string part_summary(const Model& model, const PartInfo& info) {
-  const Vec3 size = info.box.size();
-  std::string text = fmt::format("  unit     {} (lengths below are millimetre)\n", model.unit());
-  text += fmt::format("  size     {:.6g} x {:.6g} x {:.6g}, diagonal {:.6g}\n", size.x(), size.y(), size.z(),
-                      info.box.diagonal());
-  text += fmt::format("  box      {} to {}\n", place_text(info.box.lo), place_text(info.box.hi));
-  text += fmt::format("  volume   {:.6g} mm^3, area {:.6g} mm^2\n", info.volume, info.area);
-  text += fmt::format("  counts   {} regions, {} faces, {} edges ({} seams, {} degenerate), {} vertices\n",
-                      model.count(3), model.count(2), model.count(1), info.seams, info.degenerate,
-                      model.count(0));
-  text += smallest_lines(model, info);
-  text += fmt::format("  default mesh size {:.6g} mm\n", info.default_size);
-  text += name_lines(model);
-  text += fault_summary(info);
-  for (const std::string& note : model.notes()) text += fmt::format("  note     {}\n", note);
-  return text;
 }
 
 std::string acceptance_summary(const Model& model, const Acceptance& acceptance) {

@@ -5,7 +5,6 @@
 #include <string>
 
 #include "app/mesh_part.h"
-#include "app/part_info.h"
 
 namespace octet {
 
@@ -13,8 +12,6 @@ namespace octet {
 [[nodiscard]] std::string quality_line(const char* name, const QualitySummary& quality);
 /// The end of `octet mesh`: elements, quality, measures against the CAD, times, status, faults.
 [[nodiscard]] std::string mesh_summary(const Model& model, const MeshReport& report);
-/// `octet info`.
-[[nodiscard]] std::string part_summary(const Model& model, const PartInfo& info);
 /// `octet check`: every claim by name, with its worst places.
 [[nodiscard]] std::string acceptance_summary(const Model& model, const Acceptance& acceptance);
 

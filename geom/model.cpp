@@ -103,6 +103,8 @@ const ModelFace& Model::face(int tag) const { return tagged(data_->parts.faces, 
 const ModelRegion& Model::region(int tag) const { return tagged(data_->parts.regions, tag); }
 const std::string& Model::unit() const { return data_->parts.unit; }
 const std::vector<std::string>& Model::notes() const { return data_->parts.notes; }
+const ModelParts& Model::parts() const { return data_->parts; }
+const Provenance& Model::provenance() const { return data_->parts.provenance; }
 
 bool Model::in_closure(ModelRef part, ModelRef whole) const {
   if (part == whole) return true;

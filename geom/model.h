@@ -11,6 +11,7 @@
 #include "base/model_ref.h"
 #include "base/vec.h"
 #include "geom/facets.h"
+#include "geom/provenance.h"
 #include "geom/surface.h"
 
 namespace octet {
@@ -37,6 +38,7 @@ struct ModelEdge {
   double length = 0.0;
   double tolerance = 0.0;  ///< measured gap between the 3D curve and the faces' boundaries
   std::string name;
+  std::string colour, layer;  ///< as for faces
 };
 
 struct FaceBoundary {
@@ -54,12 +56,15 @@ struct ModelFace {
   double tolerance = 0.0;
   std::string name;
   std::string colour;  ///< "#rrggbb" or empty
+  std::string layer;   ///< several are separated by ", "
 };
 
 struct ModelRegion {
   std::vector<int> faces;  ///< ascending, once each
   double volume = 0.0;     ///< by adaptive integration of the exact boundary
   std::string name;
+  std::string colour, layer, material;
+  double density = 0.0;  ///< of the material, g/cm^3; 0: not given
 };
 
 enum class HitKind { kTransversal, kTangent, kCoincident };
@@ -112,6 +117,7 @@ struct ModelParts {
   Facets facets;
   std::string unit = "millimetre";  ///< of the file; coordinates here are millimetre
   std::vector<std::string> notes;   ///< what was healed, fused or found odd at load
+  Provenance provenance;            ///< empty for a model that no file made
 };
 
 class FacetBvh;
@@ -136,6 +142,8 @@ class Model {
   [[nodiscard]] const ModelRegion& region(int tag) const;
   [[nodiscard]] const std::string& unit() const;
   [[nodiscard]] const std::vector<std::string>& notes() const;
+  [[nodiscard]] const Provenance& provenance() const;
+  [[nodiscard]] const ModelParts& parts() const;  ///< what it was made of
   /// Whether `part` is `whole` or lies in its closure (an edge in the closure of a face, ...).
   [[nodiscard]] bool in_closure(ModelRef part, ModelRef whole) const;
   /// `Face 12 "bore"`: the entity as the user knows it.

@@ -22,14 +22,6 @@ std::string shortened(std::string name, std::size_t limit) {
   return name;
 }
 
-std::string printable(std::string name) {
-  for (char& c : name) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = ' ';
-    if (c == '"') c = '\'';
-  }
-  return name;
-}
-
 /// Adds items 0..n-1 of one dimension. The last entity is kept at hand: neighbours mostly share it.
 template <class EntityOf>
 void add_items(ItemsOn& items, std::size_t n, const EntityOf& entity_of) {
@@ -90,6 +82,14 @@ bool exists_in(const std::vector<OutlineEntity>& entities, int tag) {
 }
 
 }  // namespace
+
+std::string printable(std::string name) {
+  for (char& c : name) {
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = ' ';
+    if (c == '"') c = '\'';
+  }
+  return name;
+}
 
 ModelRef node_entity(const Mesh& mesh, std::uint32_t node) {
   const ModelRef ref = mesh.point_on[node];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What both MSH writers need: elements and nodes grouped by model entity, and physical groups by name.
+// What the writers need: elements and nodes grouped by model entity, and physical groups by name.
 #pragma once
 
 #include <cstdint>
@@ -44,6 +44,9 @@ int element_nodes(const Mesh& mesh, const ElementGroups& groups, int dim, std::u
 /// The outline's entities and those that only the mesh names; boxes the CAD does not give are the mesh's.
 /// Bounding entities that do not exist are dropped.
 [[nodiscard]] ModelOutline complete_outline(const ModelOutline& outline, const Mesh& mesh);
+
+/// A name without quotes and control characters.
+[[nodiscard]] std::string printable(std::string name);
 
 /// A node's entity: those on none count as inside region 0.
 [[nodiscard]] ModelRef node_entity(const Mesh& mesh, std::uint32_t node);

@@ -5,9 +5,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <bit>
+#include <charconv>
 #include <functional>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "io/msh_entities.h"
@@ -65,6 +69,20 @@ class Appended {
     return add<T>(
         name, 1, n, n, [](std::size_t) { return std::size_t{1}; },
         [=](std::size_t i, T* values) { values[0] = static_cast<T>(value(i)); });
+  }
+  /// Field data: an array of bytes whose length is its own.
+  std::string add_text(const std::string& name, const std::string& text) {
+    const std::string element = fmt::format(
+        "      <DataArray type=\"UInt8\" Name=\"{}\" NumberOfTuples=\"{}\" format=\"appended\" "
+        "offset=\"{}\"/>\n",
+        name, text.size(), offset_);
+    const std::uint64_t length = text.size();
+    offset_ += sizeof length + length;
+    writers_.push_back([=](OutputFile& file) {
+      file.put(length);
+      file.write(text);
+    });
+    return element;
   }
   void write(OutputFile& file) const {
     for (const auto& writer : writers_) writer(file);
@@ -135,10 +153,91 @@ std::string add_cells(Appended& data, const Cells& cells) {
          data.add<std::uint8_t>("types", cells.size(), [c](std::size_t i) { return kVtkType[c->dim(i)]; });
 }
 
+using Colour = std::array<std::uint8_t, 3>;
+
+/// "#rrggbb" to bytes; white for anything else.
+Colour colour_of(const std::string& text) {
+  constexpr Colour kWhite{255, 255, 255};
+  Colour colour = kWhite;
+  if (text.size() != 7 || text[0] != '#') return kWhite;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const char* digits = text.data() + 1 + 2 * i;
+    if (std::from_chars(digits, digits + 2, colour[i], 16).ptr != digits + 2) return kWhite;
+  }
+  return colour;
+}
+
+/// The colours of the entities by dimension and tag.
+class EntityColours {
+ public:
+  explicit EntityColours(const ModelOutline& outline) {
+    for (std::size_t dim = 0; dim < 4; ++dim)
+      for (const OutlineEntity& e : outline.entities[dim]) {
+        if (e.colour.empty() || e.tag < 1) continue;
+        const auto tag = static_cast<std::size_t>(e.tag);
+        if (by_tag_[dim].size() <= tag) by_tag_[dim].resize(tag + 1, Colour{255, 255, 255});
+        by_tag_[dim][tag] = colour_of(e.colour);
+        any_ = true;
+      }
+  }
+  [[nodiscard]] bool any() const { return any_; }
+  [[nodiscard]] Colour of(int dim, std::int32_t tag) const {
+    const auto& colours = by_tag_[static_cast<std::size_t>(dim)];
+    const auto index = static_cast<std::size_t>(tag);
+    return tag > 0 && index < colours.size() ? colours[index] : Colour{255, 255, 255};
+  }
+
+ private:
+  std::array<std::vector<Colour>, 4> by_tag_;
+  bool any_ = false;
+};
+
+std::string add_colours(Appended& data, const Cells& cells, const EntityColours& colours) {
+  if (!colours.any()) return {};
+  const Cells* c = &cells;
+  const EntityColours* of = &colours;
+  return data.add<std::uint8_t>(
+      "colour", 3, cells.size(), 3 * cells.size(), [](std::size_t) { return std::size_t{3}; },
+      [c, of](std::size_t i, std::uint8_t* values) {
+        const Colour colour = of->of(c->dim(i), c->tag(i));
+        std::copy(colour.begin(), colour.end(), values);
+      });
+}
+
+/// One line per tag from 1; nothing when all are empty.
+std::string add_lines(Appended& data, const std::string& name, const std::vector<OutlineEntity>& entities,
+                      std::string OutlineEntity::*member) {
+  std::vector<std::string> lines;
+  bool any = false;
+  for (const OutlineEntity& e : entities) {
+    if (e.tag < 1) continue;
+    lines.resize(std::max(lines.size(), static_cast<std::size_t>(e.tag)));
+    std::string& line = lines[static_cast<std::size_t>(e.tag) - 1] = printable(e.*member);
+    any = any || !line.empty();
+  }
+  if (!any) return {};
+  std::string text;
+  for (const std::string& line : lines) text += line + "\n";
+  return data.add_text(name, text);
+}
+
+std::string add_field_data(Appended& data, const ModelOutline& outline) {
+  static constexpr std::array<const char*, 4> kKind{"vertex", "edge", "face", "region"};
+  std::string xml;
+  for (std::size_t dim = 4; dim-- > 0;) {
+    const std::string kind = kKind[dim];
+    xml += add_lines(data, kind + "_names", outline.entities[dim], &OutlineEntity::name);
+    xml += add_lines(data, kind + "_layers", outline.entities[dim], &OutlineEntity::layer);
+    xml += add_lines(data, kind + "_materials", outline.entities[dim], &OutlineEntity::material);
+  }
+  return xml.empty() ? xml : "    <FieldData>\n" + xml + "    </FieldData>\n";
+}
+
 }  // namespace
 
-void write_vtu(OutputFile& file, const Mesh& mesh, double scale) {
+void write_vtu(OutputFile& file, const Mesh& mesh, const ModelOutline& outline, double scale) {
   Appended data;
+  const EntityColours colours(outline);
   const Cells cells(mesh);
   const Mesh* m = &mesh;
   const Cells* c = &cells;
@@ -146,6 +245,7 @@ void write_vtu(OutputFile& file, const Mesh& mesh, double scale) {
   std::string xml =
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
       "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n  <UnstructuredGrid>\n";
+  xml += add_field_data(data, outline);
   xml += fmt::format("    <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n      <PointData>\n", points,
                      cells.size());
   xml += data.add<std::int32_t>("entity_dim", points, [m](std::size_t v) {
@@ -159,6 +259,7 @@ void write_vtu(OutputFile& file, const Mesh& mesh, double scale) {
   xml += data.add<std::int32_t>("entity_tag", cells.size(), [c](std::size_t i) { return c->tag(i); });
   xml += data.add<std::int32_t>("region", cells.size(),
                                 [c](std::size_t i) { return c->dim(i) == 3 ? c->tag(i) : 0; });
+  xml += add_colours(data, cells, colours);
   xml += "      </CellData>\n      <Points>\n";
   xml += data.add<double>(
       "Points", 3, points, 3 * points, [](std::size_t) { return std::size_t{3}; },

@@ -64,7 +64,7 @@ void write_mesh(const std::filesystem::path& path, const Mesh& mesh, const Model
       write_msh22(file, mesh, outline, Encoding::kAscii, options.scale);
       break;
     case MeshFormat::kVtu:
-      write_vtu(file, mesh, options.scale);
+      write_vtu(file, mesh, outline, options.scale);
       break;
   }
   file.commit();

@@ -12,7 +12,8 @@ namespace octet {
 
 struct OutlineEntity {
   int tag = 0;
-  std::string name;  ///< empty when the CAD gives none
+  std::string name;                     ///< empty when the CAD gives none; so are the next three
+  std::string colour, layer, material;  ///< colour "#rrggbb"; several layers separated by ", "
   Box3 box;
   /// Tags one dimension below; negative when the orientation is opposite: an edge lists (start, -end), a
   /// face its edges by sense, a region its faces. Entities of dimension 0 list none.

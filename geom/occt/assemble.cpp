@@ -5,9 +5,12 @@
 #include <fmt/format.h>
 
 #include <BRepLib.hxx>
+#include <algorithm>
+#include <array>
 #include <mutex>
 
 #include "geom/occt/heal.h"
+#include "geom/occt/marks.h"
 #include "geom/occt/measure.h"
 #include "geom/occt/tessellate.h"
 #include "geom/occt/topology.h"
@@ -20,14 +23,47 @@ std::mutex& occt_mutex() {
   return mutex;
 }
 
-void apply_labels(const EntityLabels& labels, ModelParts& parts) {
-  for (std::size_t i = 1; i < parts.vertices.size(); ++i) parts.vertices[i].name = labels.name[0][i];
-  for (std::size_t i = 1; i < parts.edges.size(); ++i) parts.edges[i].name = labels.name[1][i];
-  for (std::size_t i = 1; i < parts.faces.size(); ++i) {
-    parts.faces[i].name = labels.name[2][i];
-    parts.faces[i].colour = labels.colour[2][i];
+std::string solid_text(const ModelParts& parts, int number) {
+  const std::string& name = parts.provenance.as_read[3][static_cast<std::size_t>(number)].name;
+  return name.empty() ? fmt::format("Solid {}", number) : fmt::format("Solid {} \"{}\"", number, name);
+}
+
+/// Pieces that two solids of the file both fill, the largest first.
+void note_overlaps(ModelParts& parts) {
+  std::vector<Overlap> found = overlaps(parts.provenance, static_cast<int>(parts.regions.size()) - 1);
+  const auto volume = [&](const Overlap& o) {
+    return parts.regions[static_cast<std::size_t>(o.region)].volume;
+  };
+  std::stable_sort(found.begin(), found.end(),
+                   [&](const Overlap& a, const Overlap& b) { return volume(a) > volume(b); });
+  constexpr std::size_t kTold = 10;
+  for (std::size_t i = 0; i < found.size() && i < kTold; ++i) {
+    std::string solids;
+    for (const int number : found[i].solids)
+      solids += (solids.empty() ? "" : " and ") + solid_text(parts, number);
+    parts.notes.push_back(fmt::format("{} overlap: what they share is Region {}, {:.6g} mm^3", solids,
+                                      found[i].region, volume(found[i])));
   }
-  for (std::size_t i = 1; i < parts.regions.size(); ++i) parts.regions[i].name = labels.name[3][i];
+  if (found.size() > kTold)
+    parts.notes.push_back(fmt::format("and {} more overlaps of solids", found.size() - kTold));
+}
+
+void note_left_out(ModelParts& parts) {
+  for (const int dim : {2, 1, 0}) {
+    static constexpr std::array<const char*, 3> kKind{"Vertex", "Edge", "Face"};
+    int count = 0;
+    const LeftOut* first = nullptr;
+    for (const LeftOut& item : parts.provenance.left_out)
+      if (item.entity.dim == dim && count++ == 0) first = &item;
+    if (count == 0) continue;
+    const std::string word = kKind[static_cast<std::size_t>(dim)];
+    parts.notes.push_back(fmt::format(
+        "{} {} number(s) of the file bound no volume and are left out, the first is {} {}{} at ({:.6g}, "
+        "{:.6g}, "
+        "{:.6g})",
+        count, word, word, first->entity.tag, first->name.empty() ? "" : " \"" + first->name + "\"",
+        first->place.x(), first->place.y(), first->place.z()));
+  }
 }
 
 /// Numbers, topology and facets of the solids as they are now.
@@ -89,8 +125,10 @@ AssembledPart assemble(const CadDocument& document, const ReadOptions& options, 
   log("collecting the solids");
   SolidSet set = collect_solids(document.shape, as_read, options.sew_tolerance);
   heal(as_read, options.sew_tolerance, log, set);
-  log(fmt::format("fusing {} solid(s) that may touch", set.solids.size()));
-  fuse_touching(set);
+  if (options.fuse) {
+    log(fmt::format("fusing {} solid(s) that may touch", set.solids.size()));
+    fuse_touching(set);
+  }
   add_entities(as_read, set, options, log, part);
   if (turn_back(part, set)) {
     parts = {};
@@ -100,7 +138,9 @@ AssembledPart assemble(const CadDocument& document, const ReadOptions& options, 
   parts.unit = document.unit;
   log("measuring the entities");
   measure(numbering, parts);
-  apply_labels(label_entities(document.labels, numbering, set), parts);
+  mark_entities(document, as_read, numbering, parts);
+  note_overlaps(parts);
+  note_left_out(parts);
   return part;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A CAD file to an OCCT shape with its names, colours and unit.
+// A CAD file to an OCCT shape with its tree of parts, its labels and its unit.
 #include "geom/occt/document.h"
 
 #include <fmt/format.h>
@@ -10,27 +10,19 @@
 #include <IGESControl_Controller.hxx>
 #include <IGESData_IGESModel.hxx>
 #include <Interface_Static.hxx>
-#include <Quantity_Color.hxx>
+#include <STEPCAFControl_Controller.hxx>
 #include <STEPCAFControl_Reader.hxx>
-#include <STEPControl_Controller.hxx>
 #include <Standard_Failure.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
-#include <TDF_ChildIterator.hxx>
-#include <TDF_LabelSequence.hxx>
-#include <TDataStd_Name.hxx>
 #include <TDocStd_Document.hxx>
 #include <TopExp_Explorer.hxx>
-#include <TopoDS_Compound.hxx>
 #include <XCAFApp_Application.hxx>
-#include <XCAFDoc_ColorTool.hxx>
-#include <XCAFDoc_DocumentTool.hxx>
-#include <XCAFDoc_ShapeTool.hxx>
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <fstream>
 
 #include "base/error.h"
+#include "geom/occt/labels.h"
 
 namespace octet {
 namespace {
@@ -38,94 +30,6 @@ namespace {
 std::string lower(std::string text) {
   for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return text;
-}
-
-std::string label_name(const TDF_Label& label) {
-  Handle(TDataStd_Name) attribute;
-  if (!label.FindAttribute(TDataStd_Name::GetID(), attribute)) return {};
-  const TCollection_ExtendedString& wide = attribute->Get();
-  std::string text(static_cast<std::size_t>(wide.LengthOfCString()) + 1, '\0');
-  Standard_PCharacter start = text.data();
-  wide.ToUTF8CString(start);
-  text.resize(text.find('\0'));
-  // OCCT writes its own marks where the file has no name.
-  if (text == "NONE" || text.rfind("=>[", 0) == 0) return {};
-  return text;
-}
-
-std::string label_colour(const TDF_Label& label) {
-  Quantity_Color colour;
-  const Handle(XCAFDoc_ColorTool) tool = XCAFDoc_DocumentTool::ColorTool(label);
-  if (!tool->GetColor(label, XCAFDoc_ColorSurf, colour) && !tool->GetColor(label, XCAFDoc_ColorGen, colour))
-    return {};
-  Standard_Real r = 0, g = 0, b = 0;
-  colour.Values(r, g, b, Quantity_TOC_sRGB);
-  const auto byte = [](double x) { return static_cast<int>(std::lround(255.0 * std::clamp(x, 0.0, 1.0))); };
-  return fmt::format("#{:02x}{:02x}{:02x}", byte(r), byte(g), byte(b));
-}
-
-/// Walks an assembly, placing each label's shape where the instance stands.
-class LabelWalk {
- public:
-  explicit LabelWalk(std::vector<ShapeLabel>& labels) : labels_(labels) {}
-
-  void visit(const TDF_Label& label, const TopLoc_Location& place, const std::string& instance_name) {
-    TDF_Label target = label;
-    if (XCAFDoc_ShapeTool::IsReference(label)) XCAFDoc_ShapeTool::GetReferredShape(label, target);
-    const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(target);
-    if (shape.IsNull()) return;
-    std::string name = label_name(target);
-    if (name.empty()) name = instance_name;
-    std::string colour = label_colour(label);
-    if (colour.empty()) colour = label_colour(target);
-    add(shape.Moved(place), name, colour);
-    visit_components(target, place);
-    visit_sub_shapes(target, place);
-  }
-
- private:
-  void visit_components(const TDF_Label& target, const TopLoc_Location& place) {
-    TDF_LabelSequence components;
-    XCAFDoc_ShapeTool::GetComponents(target, components);
-    for (const TDF_Label& component : components)
-      visit(component, place * XCAFDoc_ShapeTool::GetLocation(component), label_name(component));
-  }
-
-  void visit_sub_shapes(const TDF_Label& target, const TopLoc_Location& place) {
-    TDF_LabelSequence parts;
-    XCAFDoc_ShapeTool::GetSubShapes(target, parts);
-    for (const TDF_Label& part : parts) {
-      const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(part);
-      if (!shape.IsNull()) add(shape.Moved(place), label_name(part), label_colour(part));
-    }
-  }
-
-  void add(const TopoDS_Shape& shape, const std::string& name, const std::string& colour) {
-    if (!name.empty() || !colour.empty()) labels_.push_back({shape, name, colour});
-  }
-
-  std::vector<ShapeLabel>& labels_;
-};
-
-void collect(const Handle(TDocStd_Document) & document, CadDocument& result) {
-  const Handle(XCAFDoc_ShapeTool) tool = XCAFDoc_DocumentTool::ShapeTool(document->Main());
-  TDF_LabelSequence free;
-  tool->GetFreeShapes(free);
-  TopoDS_Compound all;
-  BRep_Builder builder;
-  builder.MakeCompound(all);
-  LabelWalk walk(result.labels);
-  TopoDS_Shape only;
-  int count = 0;
-  for (const TDF_Label& label : free) {
-    const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(label);
-    if (shape.IsNull()) continue;
-    only = shape;
-    ++count;
-    builder.Add(all, shape);
-    walk.visit(label, TopLoc_Location(), "");
-  }
-  if (count > 0) result.shape = count == 1 ? only : TopoDS_Shape(all);
 }
 
 /// An XCAF document that is closed when it goes.
@@ -163,13 +67,14 @@ void require_step_end(const std::filesystem::path& path) {
 
 CadDocument read_step(const std::filesystem::path& path) {
   require_step_end(path);
-  STEPControl_Controller::Init();
+  STEPCAFControl_Controller::Init();
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
   Interface_Static::SetIVal("read.stepcaf.subshapes.name", 1);
   STEPCAFControl_Reader reader;
   reader.SetColorMode(true);
   reader.SetNameMode(true);
-  reader.SetLayerMode(false);
+  reader.SetLayerMode(true);
+  reader.SetMatMode(true);
   reader.SetPropsMode(false);
   if (reader.ReadFile(path.string().c_str()) != IFSelect_RetDone)
     throw InputError("STEP file " + quoted(path) + " cannot be parsed: it is damaged or truncated");
@@ -178,7 +83,7 @@ CadDocument read_step(const std::filesystem::path& path) {
   reader.ChangeReader().FileUnits(lengths, angles, solid_angles);
   if (!lengths.IsEmpty()) result.unit = lower(lengths.First().ToCString());
   ScopedDocument document;
-  if (reader.Transfer(document.get())) collect(document.get(), result);
+  if (reader.Transfer(document.get())) collect_labels(document.get(), result);
   return result;
 }
 
@@ -215,6 +120,7 @@ CadDocument read_iges(const std::filesystem::path& path) {
   IGESCAFControl_Reader reader;
   reader.SetColorMode(true);
   reader.SetNameMode(true);
+  reader.SetLayerMode(true);
   if (reader.ReadFile(path.string().c_str()) != IFSelect_RetDone)
     throw InputError("IGES file " + quoted(path) + " cannot be parsed: it is damaged or truncated");
   CadDocument result;
@@ -225,7 +131,7 @@ CadDocument read_iges(const std::filesystem::path& path) {
     result.unit = iges_unit(global.UnitFlag(), name);
   }
   ScopedDocument document;
-  if (reader.Transfer(document.get())) collect(document.get(), result);
+  if (reader.Transfer(document.get())) collect_labels(document.get(), result);
   return result;
 }
 

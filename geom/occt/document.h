@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A CAD file to an OCCT shape with its names, colours and unit.
+// A CAD file to an OCCT shape with its tree of parts, its labels and its unit.
 #pragma once
 
 #include <TopoDS_Shape.hxx>
@@ -8,20 +8,35 @@
 #include <vector>
 
 #include "geom/occt/file_kind.h"
+#include "geom/provenance.h"
 
 namespace octet {
 
-/// What the file says of a shape; sub-shapes are placed as in CadDocument::shape.
+/// What a file says of a shape beside its geometry. Empty: nothing.
+struct Marks {
+  std::string name, colour, layer;  ///< colour "#rrggbb"; several layers separated by ", "
+  std::string material;
+  double density = 0.0;  ///< g/cm^3
+};
+
+/// Sub-shapes are placed as in CadDocument::shape.
 struct ShapeLabel {
   TopoDS_Shape shape;
-  std::string name;    ///< empty: none
-  std::string colour;  ///< "#rrggbb" or empty
+  Marks marks;
+  bool is_assembly = false;  ///< its name is not that of the parts in it
+};
+
+/// A node of the tree of parts and its placed shape. Node::solids is filled when the solids have numbers.
+struct PlacedPart {
+  PartNode node;
+  TopoDS_Shape shape;
 };
 
 struct CadDocument {
   TopoDS_Shape shape;  ///< lengths are millimetre
   std::string unit = "millimetre";
   std::vector<ShapeLabel> labels;  ///< outer ones first: a later label is more specific
+  std::vector<PlacedPart> tree;    ///< outer ones first
 };
 
 /// Serial: OCCT's readers share global state (the caller holds the lock). Prints nothing.

@@ -1,27 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tags of the entities of the solids, in the order of the shape as read.
+// Wishes first, then what is left: as few numbers as possible change.
 #include "geom/occt/numbering.h"
 
 #include <fmt/format.h>
 
 #include <BRep_Builder.hxx>
-#include <TopExp.hxx>
 #include <TopTools_ListOfShape.hxx>
 #include <TopoDS_Compound.hxx>
+#include <algorithm>
 
 namespace octet {
 namespace {
 
-constexpr const char* kPlural[4] = {"vertices", "edges", "faces", "solids"};
-constexpr TopAbs_ShapeEnum kTypes[4] = {TopAbs_VERTEX, TopAbs_EDGE, TopAbs_FACE, TopAbs_SOLID};
+constexpr const char* kKind[4] = {"Vertex", "Edge", "Face", "Solid"};
 
-/// What became of `shape`; itself when nothing did.
-TopTools_ListOfShape images_of(const TopoDS_Shape& shape, const SolidSet& set) {
-  TopTools_ListOfShape images;
-  if (BRepTools_History::IsSupportedType(shape)) images = set.history->Modified(shape);
-  if (images.IsEmpty()) images.Append(shape);
-  return images;
-}
+/// Indices in the final map, by number as read ([0] unused), and the other way round.
+struct Trace {
+  std::vector<std::vector<int>> images, sources;
+};
 
 ShapeMaps maps_of(const std::vector<TopoDS_Shape>& solids) {
   TopoDS_Compound all;
@@ -31,42 +27,82 @@ ShapeMaps maps_of(const std::vector<TopoDS_Shape>& solids) {
   return ShapeMaps(all);
 }
 
-void number_dimension(int dim, const ShapeMaps& as_read, const ShapeMaps& final, const SolidSet& set,
-                      TopTools_IndexedMapOfShape& tags) {
-  const auto add = [&](const TopoDS_Shape& shape) {
-    const int index = final.of[dim].FindIndex(shape);
-    if (index == 0) return false;
-    tags.Add(final.of[dim](index));
-    return true;
-  };
-  for (int i = 1; i <= as_read.of[dim].Extent(); ++i)
-    for (const TopoDS_Shape& image : images_of(as_read.of[dim](i), set))
-      if (add(image)) break;
-  for (int i = 1; i <= as_read.of[dim].Extent(); ++i)
-    for (const TopoDS_Shape& image : images_of(as_read.of[dim](i), set)) add(image);
-  for (int i = 1; i <= final.of[dim].Extent(); ++i) tags.Add(final.of[dim](i));
+Trace trace(const TopTools_IndexedMapOfShape& as_read, const TopTools_IndexedMapOfShape& final,
+            const SolidSet& set) {
+  Trace result;
+  result.images.resize(static_cast<std::size_t>(as_read.Extent()) + 1);
+  result.sources.resize(static_cast<std::size_t>(final.Extent()) + 1);
+  for (int number = 1; number <= as_read.Extent(); ++number) {
+    auto& images = result.images[static_cast<std::size_t>(number)];
+    for (const TopoDS_Shape& image : images_of(as_read(number), set))
+      if (const int index = final.FindIndex(image); index > 0) images.push_back(index);
+    std::sort(images.begin(), images.end());
+    images.erase(std::unique(images.begin(), images.end()), images.end());
+    for (const int index : images) result.sources[static_cast<std::size_t>(index)].push_back(number);
+  }
+  return result;
 }
 
-void note_changes(int dim, const ShapeMaps& as_read, const SolidSet& set, const Numbering& numbering,
-                  std::vector<std::string>& notes) {
-  for (int i = 1; i <= as_read.of[dim].Extent(); ++i) {
-    const int tag = numbering.tag(dim, images_of(as_read.of[dim](i), set).First());
-    if (tag == i || tag == 0) continue;
-    notes.push_back(fmt::format("numbers of {} differ from the file from number {} on", kPlural[dim], i));
-    return;
+/// The tag of each index of the final map.
+std::vector<int> tags_of(const Trace& trace) {
+  const auto count = static_cast<int>(trace.sources.size()) - 1;
+  std::vector<int> tag(trace.sources.size(), 0);
+  std::vector<bool> taken(trace.sources.size(), false);
+  std::vector<bool> served(trace.images.size(), false);
+  const auto give = [&](int index, int number) {
+    served[static_cast<std::size_t>(number)] = true;
+    if (number > count) return;
+    tag[static_cast<std::size_t>(index)] = number;
+    taken[static_cast<std::size_t>(number)] = true;
+  };
+  std::vector<bool> kept(trace.sources.size(), false);
+  for (const bool alone : {true, false})
+    for (std::size_t number = 1; number < trace.images.size(); ++number)
+      for (const int index : trace.images[number]) {
+        const auto i = static_cast<std::size_t>(index);
+        if (served[number] || kept[i] || (alone && trace.sources[i].size() > 1)) continue;
+        kept[i] = true;
+        give(index, static_cast<int>(number));
+      }
+  // Pieces and new entities first, then those whose number is beyond the count.
+  int next = 1;
+  for (const bool displaced : {false, true})
+    for (int index = 1; index <= count; ++index) {
+      const auto i = static_cast<std::size_t>(index);
+      if (tag[i] != 0 || kept[i] != displaced) continue;
+      while (taken[static_cast<std::size_t>(next)]) ++next;
+      tag[i] = next;
+      taken[static_cast<std::size_t>(next)] = true;
+    }
+  return tag;
+}
+
+void number_dimension(int dim, const ShapeMaps& as_read, const ShapeMaps& final, const SolidSet& set,
+                      Numbering& numbering) {
+  const Trace traced = trace(as_read.of[dim], final.of[dim], set);
+  const std::vector<int> tag = tags_of(traced);
+  std::vector<int> index(tag.size(), 0);
+  for (std::size_t i = 1; i < tag.size(); ++i) index[static_cast<std::size_t>(tag[i])] = static_cast<int>(i);
+  for (std::size_t t = 1; t < index.size(); ++t) numbering.of[dim].Add(final.of[dim](index[t]));
+  numbering.became[dim].resize(traced.images.size());
+  for (std::size_t number = 1; number < traced.images.size(); ++number) {
+    auto& tags = numbering.became[dim][number];
+    for (const int i : traced.images[number]) tags.push_back(tag[static_cast<std::size_t>(i)]);
+    std::sort(tags.begin(), tags.end());
   }
 }
 
-void set_labels(const ShapeLabel& label, int dim, int tag, EntityLabels& labels, bool with_name) {
-  if (tag == 0) return;
-  if (with_name && !label.name.empty()) labels.name[dim][tag] = label.name;
-  if (!label.colour.empty()) labels.colour[dim][tag] = label.colour;
-}
-
-int dimension_of(TopAbs_ShapeEnum type) {
-  for (int dim = 0; dim < 4; ++dim)
-    if (kTypes[dim] == type) return dim;
-  return -1;
+void note_changes(int dim, const Numbering& numbering, std::vector<std::string>& notes) {
+  int changed = 0, first = 0;
+  for (std::size_t number = 1; number < numbering.became[dim].size(); ++number) {
+    const auto& tags = numbering.became[dim][number];
+    if (tags.empty() || std::binary_search(tags.begin(), tags.end(), static_cast<int>(number))) continue;
+    if (changed++ == 0) first = static_cast<int>(number);
+  }
+  if (changed > 0)
+    notes.push_back(fmt::format("{} {} number(s) differ from the file's: {}{} as read is {}{}", changed,
+                                kKind[dim], kKind[dim], first, kKind[dim],
+                                numbering.became[dim][static_cast<std::size_t>(first)].front()));
 }
 
 }  // namespace
@@ -75,37 +111,10 @@ Numbering number_entities(const ShapeMaps& as_read, const SolidSet& set, std::ve
   const ShapeMaps final = maps_of(set.solids);
   Numbering numbering;
   for (int dim = 0; dim < 4; ++dim) {
-    number_dimension(dim, as_read, final, set, numbering.of[dim]);
-    note_changes(dim, as_read, set, numbering, notes);
+    number_dimension(dim, as_read, final, set, numbering);
+    note_changes(dim, numbering, notes);
   }
   return numbering;
-}
-
-EntityLabels label_entities(const std::vector<ShapeLabel>& labels, const Numbering& numbering,
-                            const SolidSet& set) {
-  EntityLabels result;
-  for (int dim = 0; dim < 4; ++dim) {
-    result.name[dim].resize(static_cast<std::size_t>(numbering.count(dim)) + 1);
-    result.colour[dim].resize(static_cast<std::size_t>(numbering.count(dim)) + 1);
-  }
-  for (const ShapeLabel& label : labels) {
-    const int own = dimension_of(label.shape.ShapeType());
-    if (own >= 0)
-      for (const TopoDS_Shape& image : images_of(label.shape, set))
-        set_labels(label, own, numbering.tag(own, image), result, true);
-    if (own == 2) continue;
-    // What is said of a whole is said of its solids and faces, but for a name that several would share.
-    TopTools_IndexedMapOfShape solids, faces;
-    if (own != 3) TopExp::MapShapes(label.shape, TopAbs_SOLID, solids);
-    TopExp::MapShapes(label.shape, TopAbs_FACE, faces);
-    for (int i = 1; i <= solids.Extent(); ++i)
-      for (const TopoDS_Shape& image : images_of(solids(i), set))
-        set_labels(label, 3, numbering.tag(3, image), result, solids.Extent() == 1);
-    for (int i = 1; i <= faces.Extent(); ++i)
-      for (const TopoDS_Shape& image : images_of(faces(i), set))
-        set_labels(label, 2, numbering.tag(2, image), result, false);
-  }
-  return result;
 }
 
 }  // namespace octet

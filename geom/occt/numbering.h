@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tags of the entities of the solids, in the order of the shape as read.
+// Tags of the entities of the solids: as far as may be, their numbers in the shape as read.
 #pragma once
 
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "geom/occt/document.h"
 #include "geom/occt/solids.h"
 
 namespace octet {
@@ -16,6 +15,8 @@ namespace octet {
 /// first met, so a face's normal points out of the first solid that holds it.
 struct Numbering {
   TopTools_IndexedMapOfShape of[4];
+  /// By dimension and number as read ([0] unused): the tags that it became, ascending.
+  std::vector<std::vector<int>> became[4];
 
   [[nodiscard]] int count(int dim) const { return of[dim].Extent(); }
   [[nodiscard]] int tag(int dim, const TopoDS_Shape& shape) const { return of[dim].FindIndex(shape); }
@@ -25,19 +26,12 @@ struct Numbering {
   [[nodiscard]] const TopoDS_Shape& solid(int tag) const { return of[3](tag); }
 };
 
-/// Entities keep the order of `as_read` through sewing and fusing: the first image of each comes in its
-/// place, further pieces and new entities at the end. Appends a note when tags differ from the shape as read.
+/// Every entity keeps its number as read through sewing and fusing while that is possible. Of those that one
+/// entity was split into, one keeps the number: one that is part of nothing else, where there is such; of
+/// those that became one, the lowest stays. What has no number of its own takes those that fell free, then
+/// new ones; so do, last of all, entities whose number is beyond the count. Appends a note for each dimension
+/// in which numbers changed.
 [[nodiscard]] Numbering number_entities(const ShapeMaps& as_read, const SolidSet& set,
                                         std::vector<std::string>& notes);
-
-/// Names and colours by dimension and tag ([0] unused).
-struct EntityLabels {
-  std::vector<std::string> name[4], colour[4];
-};
-
-/// Labels follow their shapes through sewing and fusing; a colour of a solid or an assembly goes down to its
-/// faces, a name of an assembly of one solid goes to that solid.
-[[nodiscard]] EntityLabels label_entities(const std::vector<ShapeLabel>& labels, const Numbering& numbering,
-                                          const SolidSet& set);
 
 }  // namespace octet

@@ -24,20 +24,38 @@ void pass(auto& stream, auto& vertex) requires
 
 void pass(auto& stream, auto& edge) requires
     std::is_same_v<std::remove_const_t<std::remove_reference_t<decltype(edge)>>, ModelEdge> {
-  auto& [vertex, t0, t1, use, faces, length, tolerance, name] = edge;
-  stream(vertex, t0, t1, use, faces, length, tolerance, name);
+  auto& [vertex, t0, t1, use, faces, length, tolerance, name, colour, layer] = edge;
+  stream(vertex, t0, t1, use, faces, length, tolerance, name, colour, layer);
 }
 
 void pass(auto& stream, auto& face) requires
     std::is_same_v<std::remove_const_t<std::remove_reference_t<decltype(face)>>, ModelFace> {
-  auto& [boundary, vertices, region, reversed, euler, area, tolerance, name, colour] = face;
-  stream(boundary, vertices, region, reversed, euler, area, tolerance, name, colour);
+  auto& [boundary, vertices, region, reversed, euler, area, tolerance, name, colour, layer] = face;
+  stream(boundary, vertices, region, reversed, euler, area, tolerance, name, colour, layer);
 }
 
 void pass(auto& stream, auto& region) requires
     std::is_same_v<std::remove_const_t<std::remove_reference_t<decltype(region)>>, ModelRegion> {
-  auto& [faces, volume, name] = region;
-  stream(faces, volume, name);
+  auto& [faces, volume, name, colour, layer, material, density] = region;
+  stream(faces, volume, name, colour, layer, material, density);
+}
+
+void pass(auto& stream, auto& entity) requires
+    std::is_same_v<std::remove_const_t<std::remove_reference_t<decltype(entity)>>, EntityAsRead> {
+  auto& [name, tags] = entity;
+  stream(name, tags);
+}
+
+void pass(auto& stream, auto& node) requires
+    std::is_same_v<std::remove_const_t<std::remove_reference_t<decltype(node)>>, PartNode> {
+  auto& [name, instance, parent, first_use, colour, layer, material, density, solids, regions] = node;
+  stream(name, instance, parent, first_use, colour, layer, material, density, solids, regions);
+}
+
+void pass(auto& stream, auto& item) requires
+    std::is_same_v<std::remove_const_t<std::remove_reference_t<decltype(item)>>, LeftOut> {
+  auto& [entity, name, measure, place] = item;
+  stream(entity, name, measure, place);
 }
 
 void pass_facets(auto& stream, auto& facets) {
@@ -57,14 +75,22 @@ void pass_entities(ByteReader& stream, auto& entities) {
   for (auto& entity : entities) pass(stream, entity);
 }
 
+void pass_provenance(auto& stream, auto& provenance) {
+  auto& [as_read, tree, left_out] = provenance;
+  for (auto& entities : as_read) pass_entities(stream, entities);
+  pass_entities(stream, tree);
+  pass_entities(stream, left_out);
+}
+
 void pass_parts(auto& stream, auto& parts) {
-  auto& [vertices, edges, faces, regions, curves, surfaces, trims, facets, unit, notes] = parts;
+  auto& [vertices, edges, faces, regions, curves, surfaces, trims, facets, unit, notes, provenance] = parts;
   pass_entities(stream, vertices);
   pass_entities(stream, edges);
   pass_entities(stream, faces);
   pass_entities(stream, regions);
   pass_facets(stream, facets);
   stream(unit, notes);
+  pass_provenance(stream, provenance);
 }
 
 /// Compounds of the vertices, edges, faces and solids in the order of their tags.

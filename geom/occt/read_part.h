@@ -25,6 +25,7 @@ struct ReadOptions {
   /// the running program, in its ../libexec/octet, or where Octet was installed; where none is found, reading
   /// is not isolated, and a note of the model says so.
   std::filesystem::path reader_program;
+  bool fuse = true;  ///< solids that touch share faces, edges and vertices; else each keeps its own
 };
 
 /// Reads STEP (AP203, AP214, AP242), IGES or OCCT BREP, told by content, not by suffix.

@@ -58,28 +58,18 @@ gp_Pnt place_of(const TopoDS_Edge& edge) {
   throw ModelError("the part bounds no volume: it holds no solid and no closed shell", {});
 }
 
-void note_left_out(const ShapeMaps& maps, SolidSet& set) {
-  TopTools_MapOfShape used;
-  for (const TopoDS_Shape& solid : set.solids)
-    for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next()) used.Add(it.Current());
-  int count = 0, first = 0;
-  for (int i = 1; i <= maps.of[2].Extent(); ++i) {
-    const TopoDS_Shape& face = maps.of[2](i);
-    bool found = used.Contains(face);
-    for (const TopoDS_Shape& image : set.history->Modified(face)) found = found || used.Contains(image);
-    if (found) continue;
-    if (count++ == 0) first = i;
-  }
-  if (count > 0)
-    set.notes.push_back(fmt::format(
-        "{} face(s) bound no volume and are left out, the first is Face {} as read", count, first));
-}
-
 }  // namespace
 
 ShapeMaps::ShapeMaps(const TopoDS_Shape& shape) {
   constexpr TopAbs_ShapeEnum kTypes[4] = {TopAbs_VERTEX, TopAbs_EDGE, TopAbs_FACE, TopAbs_SOLID};
   for (int dim = 0; dim < 4; ++dim) TopExp::MapShapes(shape, kTypes[dim], of[dim]);
+}
+
+TopTools_ListOfShape images_of(const TopoDS_Shape& shape, const SolidSet& set) {
+  TopTools_ListOfShape images;
+  if (BRepTools_History::IsSupportedType(shape)) images = set.history->Modified(shape);
+  if (images.IsEmpty() && !set.history->IsRemoved(shape)) images.Append(shape);
+  return images;
 }
 
 SolidSet collect_solids(const TopoDS_Shape& shape, const ShapeMaps& as_read, double sew_tolerance) {
@@ -104,7 +94,6 @@ SolidSet collect_solids(const TopoDS_Shape& shape, const ShapeMaps& as_read, dou
     }
   }
   if (set.solids.empty()) throw_open(shape, as_read);
-  note_left_out(as_read, set);
   return set;
 }
 

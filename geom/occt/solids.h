@@ -4,6 +4,7 @@
 
 #include <BRepTools_History.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
+#include <TopTools_ListOfShape.hxx>
 #include <TopoDS_Shape.hxx>
 #include <string>
 #include <vector>
@@ -22,6 +23,9 @@ struct SolidSet {
   Handle(BRepTools_History) history;  ///< from the shape as read; what is not in it is unchanged
   std::vector<std::string> notes;
 };
+
+/// What became of an entity of the shape as read; itself where nothing did, nothing where it was removed.
+[[nodiscard]] TopTools_ListOfShape images_of(const TopoDS_Shape& shape, const SolidSet& set);
 
 /// Closed shells become solids, loose faces are sewn (sew_faces()). `shape` is not changed.
 /// ModelError: nothing in it bounds a volume (names the first free edge, a face of it and its place).

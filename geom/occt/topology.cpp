@@ -159,21 +159,25 @@ void mark_seams(const Numbering& numbering, ModelParts& parts) {
   }
 }
 
+void set_region(int tag, int side, int region, ModelFace& face) {
+  int& old = face.region[static_cast<std::size_t>(side)];
+  if (old != 0 && old != region)
+    throw ModelError(
+        fmt::format("Face {} bounds Solid {} and Solid {} on the same side: the solids overlap in a way that "
+                    "fusing cannot part; --no-fuse meshes each by itself",
+                    tag, old, region),
+        model_face(tag));
+  old = region;
+}
+
 void add_face_to_region(const Numbering& numbering, const TopoDS_Shape& face, int region, ModelParts& parts) {
   const int tag = numbering.tag(2, face);
   ModelFace& out = parts.faces[tag];
   const TopAbs_Orientation way = face.Orientation();
   const bool outward = way == numbering.face(tag).Orientation();
   const bool inside = way == TopAbs_INTERNAL || way == TopAbs_EXTERNAL;
-  if (inside || outward) {
-    if (out.region[0] != 0 && out.region[0] != region && !inside)
-      throw ModelError(
-          fmt::format("Face {} bounds Solid {} and Solid {} on the same side: the solids overlap", tag,
-                      out.region[0], region),
-          model_face(tag));
-    out.region[0] = region;
-  }
-  if (inside || !outward) out.region[1] = region;
+  if (inside || outward) set_region(tag, 0, region, out);
+  if (inside || !outward) set_region(tag, 1, region, out);
   parts.regions[region].faces.push_back(tag);
 }
 

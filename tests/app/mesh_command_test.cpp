@@ -122,6 +122,57 @@ TEST(InfoCommand, NamesTheUnitAndTheSmallestFeatures) {
     EXPECT_NE(run.out.find(word), std::string::npos) << word << " in " << run.out;
 }
 
+TEST(InfoCommand, ShowsTheAssemblyItsContactsAndItsNames) {
+  const auto run = run_octet({"info", model_file("fixture.step"), "--entities"});
+  ASSERT_EQ(run.exit_code, kExitComplete) << run.err;
+  for (const std::string word :
+       {"\"pin\" as \"pin:2\"", "material \"steel\" (7.85 g/cm^3)", "layer \"hardware\"", "contacts 3",
+        "thinnest wall", "\"seat\" #ff0000", "as read"})
+    EXPECT_NE(run.out.find(word), std::string::npos) << word << " in " << run.out;
+  const Json info = Json::parse(run_octet({"info", model_file("fixture.step"), "--json"}).out);
+  EXPECT_EQ(info["tree"].size(), 5u);
+  EXPECT_EQ(info["interfaces"].size(), 3u);
+  EXPECT_TRUE(info["overlaps"].empty());
+  EXPECT_TRUE(info["left_out"].empty());
+  EXPECT_NEAR(info["thinnest_wall"]["thickness"].get<double>(), 4.0, 1e-9);
+  for (const Json& region : info["regions"]) EXPECT_FALSE(region["name"].get<std::string>().empty());
+  for (const Json& face : info["faces"]) EXPECT_FALSE(face["as_read"].empty());
+}
+
+TEST(MeshCommand, NamesOfAnAssemblyComeOutInTheMesh) {
+  const TemporaryDirectory out;
+  const std::string part = model_file("fixture.step");
+  ASSERT_EQ(run_octet({"mesh", part, "-o", out.file("a.msh"), "--format", "msh41-ascii"}).exit_code,
+            kExitComplete);
+  const std::string msh = read_bytes(out.file("a.msh"));
+  for (const std::string name : {"\"plate\"", "\"block\"", "\"pin Solid3\"", "\"pin Solid4\"", "\"seat\""})
+    EXPECT_NE(msh.find(name), std::string::npos) << name;
+  ASSERT_EQ(run_octet({"mesh", part, "-o", out.file("a.vtu")}).exit_code, kExitComplete);
+  const std::string vtu = read_bytes(out.file("a.vtu"));
+  for (const std::string name : {"region_names", "region_materials", "region_layers", "face_names", "colour"})
+    EXPECT_NE(vtu.find("Name=\"" + name + "\""), std::string::npos) << name;
+  EXPECT_EQ(run_octet({"check", out.file("a.vtu"), part}).exit_code, kExitComplete);
+}
+
+TEST(MeshCommand, NoFuseMeshesEachSolidByItself) {
+  const TemporaryDirectory out;
+  const std::string part = model_file("fixture.step");
+  const auto run =
+      run_octet({"mesh", part, "-o", out.file("a.msh"), "--no-fuse", "--report", out.file("a.json")});
+  ASSERT_EQ(run.exit_code, kExitComplete) << run.out << run.err;
+  const Json report = Json::parse(read_bytes(out.file("a.json")));
+  EXPECT_LT(std::abs(report["volume"]["relative_error"].get<double>()), 0.01);
+  const Mesh mesh = read_mesh(out.file("a.msh"));
+  std::vector<int> regions(mesh.points.size(), 0);
+  for (std::size_t i = 0; i < mesh.tets.size(); ++i)
+    for (const Mesh::Index v : mesh.tets[i]) {
+      EXPECT_TRUE(regions[v] == 0 || regions[v] == mesh.tet_in[i]);
+      regions[v] = mesh.tet_in[i];
+    }
+  EXPECT_EQ(run_octet({"check", out.file("a.msh"), part, "--no-fuse"}).exit_code, kExitComplete);
+  EXPECT_EQ(run_octet({"check", out.file("a.msh"), part}).exit_code, kExitIncomplete);
+}
+
 TEST(Help, NamesEveryExitCode) {
   for (const std::vector<std::string>& arguments :
        {std::vector<std::string>{"--help"}, {"mesh", "--help"}, {"info", "--help"}, {"check", "--help"}}) {

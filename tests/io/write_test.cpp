@@ -109,6 +109,23 @@ TEST_F(Write, SameMeshGivesSameBytes) {
   }
 }
 
+TEST_F(Write, VtuHoldsNamesAndColoursThatTheOutlineGives) {
+  ModelOutline outline = test::plain_box_outline(kSize, false);
+  write_mesh(directory_ / "plain", test::plain_box_mesh(1), outline, MeshFormat::kVtu);
+  EXPECT_EQ(bytes_of(directory_ / "plain").find("FieldData"), std::string::npos);
+  EXPECT_EQ(bytes_of(directory_ / "plain").find("colour"), std::string::npos);
+  outline.entities[3][0].name = "housing";
+  outline.entities[3][0].material = "steel";
+  outline.entities[2][0].colour = "#ff8000";
+  write_mesh(directory_ / "a", test::plain_box_mesh(1), outline, MeshFormat::kVtu);
+  const std::string bytes = bytes_of(directory_ / "a");
+  for (const std::string word : {"Name=\"region_names\" NumberOfTuples=\"8\"", "Name=\"region_materials\"",
+                                 "Name=\"colour\" NumberOfComponents=\"3\""})
+    EXPECT_NE(bytes.find(word), std::string::npos) << word;
+  EXPECT_EQ(bytes.find("face_names"), std::string::npos);
+  expect_same(test::plain_box_mesh(1), read_mesh(directory_ / "a"));
+}
+
 TEST_F(Write, AnEmptyMeshIsAFileToo) {
   for (const MeshFormat format : kFormats) {
     write_mesh(directory_ / "a", {}, {}, format);

@@ -21,12 +21,23 @@
 #include <Interface_Static.hxx>
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
+#include <Quantity_Color.hxx>
+#include <STEPCAFControl_Writer.hxx>
 #include <STEPControl_Controller.hxx>
 #include <STEPControl_Writer.hxx>
 #include <TColgp_Array1OfPnt.hxx>
+#include <TCollection_HAsciiString.hxx>
+#include <TDataStd_Name.hxx>
+#include <TDocStd_Document.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <XCAFApp_Application.hxx>
+#include <XCAFDoc_ColorTool.hxx>
+#include <XCAFDoc_DocumentTool.hxx>
+#include <XCAFDoc_LayerTool.hxx>
+#include <XCAFDoc_MaterialTool.hxx>
+#include <XCAFDoc_ShapeTool.hxx>
 #include <cmath>
 #include <cstdio>
 #include <functional>
@@ -139,6 +150,90 @@ bool write(const TopoDS_Shape& shape, const std::string& directory, const std::s
   return true;
 }
 
+Handle(TCollection_HAsciiString) ascii(const char* text) { return new TCollection_HAsciiString(text); }
+
+/// An XCAF document under construction.
+class Assembly {
+ public:
+  explicit Assembly(const char* name) {
+    XCAFApp_Application::GetApplication()->NewDocument("BinXCAF", document_);
+    shapes_ = XCAFDoc_DocumentTool::ShapeTool(document_->Main());
+    top_ = shapes_->NewShape();
+    TDataStd_Name::Set(top_, name);
+  }
+
+  TDF_Label part(const TopoDS_Shape& shape, const char* name, const Quantity_Color& colour) {
+    const TDF_Label label = shapes_->AddShape(shape, false);
+    TDataStd_Name::Set(label, name);
+    XCAFDoc_DocumentTool::ColorTool(document_->Main())->SetColor(label, colour, XCAFDoc_ColorGen);
+    return label;
+  }
+
+  void use(const TDF_Label& part, const char* name, const gp_Vec& place) {
+    gp_Trsf move;
+    move.SetTranslation(place);
+    TDataStd_Name::Set(shapes_->AddComponent(top_, part, TopLoc_Location(move)), name);
+  }
+
+  void material(const TDF_Label& part, const char* name, double density) {
+    XCAFDoc_DocumentTool::MaterialTool(document_->Main())
+        ->SetMaterial(part, ascii(name), ascii(""), density, ascii("density measure"),
+                      ascii("POSITIVE_RATIO_MEASURE"));
+  }
+
+  void layer(const TDF_Label& part, const char* name) {
+    XCAFDoc_DocumentTool::LayerTool(document_->Main())->SetLayer(part, TCollection_ExtendedString(name));
+  }
+
+  TDF_Label face(const TDF_Label& part, int number, const char* name, const Quantity_Color& colour) {
+    TopTools_IndexedMapOfShape faces;
+    TopExp::MapShapes(XCAFDoc_ShapeTool::GetShape(part), TopAbs_FACE, faces);
+    const TDF_Label label = shapes_->AddSubShape(part, faces(number));
+    TDataStd_Name::Set(label, name);
+    XCAFDoc_DocumentTool::ColorTool(document_->Main())->SetColor(label, colour, XCAFDoc_ColorSurf);
+    return label;
+  }
+
+  bool write(const std::string& directory, const std::string& name) {
+    shapes_->UpdateAssemblies();
+    Interface_Static::SetCVal("write.step.product.name", name.c_str());
+    STEPCAFControl_Writer writer;  // the parameter exists only once there was one
+    Interface_Static::SetIVal("write.stepcaf.subshapes.name", 1);
+    writer.SetLayerMode(true);
+    writer.SetMaterialMode(true);
+    const std::string path = directory + "/" + name + ".step";
+    const bool done =
+        writer.Transfer(document_, STEPControl_AsIs) && writer.Write(path.c_str()) == IFSelect_RetDone;
+    if (!done) std::fprintf(stderr, "cannot write %s\n", path.c_str());
+    return done;
+  }
+
+ private:
+  Handle(TDocStd_Document) document_;
+  Handle(XCAFDoc_ShapeTool) shapes_;
+  TDF_Label top_;
+};
+
+/// A plate 40 x 20 x 4 with a block 12 x 12 x 8 and two pins of radius 2 and length 10 standing on it.
+bool write_fixture(const std::string& directory) {
+  Assembly fixture("fixture");
+  const TDF_Label plate = fixture.part(BRepPrimAPI_MakeBox(40, 20, 4).Shape(), "plate",
+                                       Quantity_Color(0, 0, 1, Quantity_TOC_RGB));
+  const TDF_Label block = fixture.part(BRepPrimAPI_MakeBox(12, 12, 8).Shape(), "block",
+                                       Quantity_Color(0, 1, 0, Quantity_TOC_RGB));
+  const TDF_Label pin =
+      fixture.part(BRepPrimAPI_MakeCylinder(2, 10).Shape(), "pin", Quantity_Color(1, 1, 0, Quantity_TOC_RGB));
+  fixture.use(plate, "plate:1", gp_Vec(0, 0, 0));
+  fixture.use(block, "block:1", gp_Vec(4, 4, 4));
+  fixture.use(pin, "pin:1", gp_Vec(24, 10, 4));
+  fixture.use(pin, "pin:2", gp_Vec(34, 10, 4));
+  fixture.material(plate, "steel", 7.85);
+  fixture.material(block, "aluminium", 2.7);
+  fixture.layer(pin, "hardware");
+  fixture.face(block, 6, "seat", Quantity_Color(1, 0, 0, Quantity_TOC_RGB));
+  return fixture.write(directory, "fixture");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -160,6 +255,6 @@ int main(int argc, char** argv) {
                     write(BRepPrimAPI_MakeTorus(20, 5).Shape(), directory, "torus") &&
                     write(cut(centred, ball), directory, "box_minus_ball") &&
                     write(cut(plate, cylinder(20, 15, -1, gp::DZ(), 6, 3)), directory, "plate_with_hole") &&
-                    write(blade(), directory, "blade");
+                    write(blade(), directory, "blade") && write_fixture(directory);
   return done ? 0 : 1;
 }

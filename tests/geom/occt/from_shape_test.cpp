@@ -70,6 +70,63 @@ TEST(FromShape, FusesSolidsThatTouch) {
   EXPECT_TRUE(any_note(model, "fused"));
 }
 
+/// Numbers as read of one dimension that kept their number.
+int kept(const Model& model, int dim) {
+  int count = 0;
+  const auto& entities = model.provenance().as_read[static_cast<std::size_t>(dim)];
+  for (std::size_t number = 1; number < entities.size(); ++number)
+    for (const int tag : entities[number].tags) count += tag == static_cast<int>(number) ? 1 : 0;
+  return count;
+}
+
+TEST(FromShape, FusingKeepsEveryNumberButThoseOfWhatWasJoined) {
+  const TopoDS_Shape boxes = compound_of(
+      {BRepPrimAPI_MakeBox(1, 1, 1).Shape(), BRepPrimAPI_MakeBox(gp_Pnt(1, 0, 0), gp_Pnt(2, 1, 1)).Shape()});
+  const Model model = model_from_shape(boxes);
+  ASSERT_EQ(model.count(2), 11);
+  const auto& faces = model.provenance().as_read[2];
+  ASSERT_EQ(faces.size(), 13u);
+  // A box begins with its faces of least and of largest x: Face 7 was joined to Face 2, and Face 12, whose
+  // number is beyond the count, took its number.
+  EXPECT_EQ(kept(model, 2), 10);
+  EXPECT_EQ(faces[7].tags, std::vector<int>{2});
+  EXPECT_EQ(faces[12].tags, std::vector<int>{7});
+  TopTools_IndexedMapOfShape as_read;
+  TopExp::MapShapes(boxes, TopAbs_FACE, as_read);
+  for (std::size_t number = 1; number < faces.size(); ++number) {
+    ASSERT_EQ(faces[number].tags.size(), 1u);
+    EXPECT_NEAR(model.face(faces[number].tags[0]).area, 1.0, 1e-12);
+  }
+  EXPECT_EQ(kept(model, 3), 2);
+}
+
+TEST(FromShape, ReportsWhatTwoSolidsBothFill) {
+  const Model model = model_from_shape(compound_of(
+      {BRepPrimAPI_MakeBox(2, 2, 2).Shape(), BRepPrimAPI_MakeBox(gp_Pnt(1, 1, 1), gp_Pnt(4, 4, 4)).Shape()}));
+  ASSERT_EQ(model.count(3), 3);
+  EXPECT_NEAR(model.region(1).volume, 7.0, 1e-9);
+  EXPECT_NEAR(model.region(2).volume, 26.0, 1e-9);
+  const auto found = overlaps(model.provenance(), 3);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].region, 3);
+  EXPECT_EQ(found[0].solids, (std::vector<int>{1, 2}));
+  EXPECT_NEAR(model.region(3).volume, 1.0, 1e-9);
+  EXPECT_TRUE(any_note(model, "Solid 1 and Solid 2 overlap"));
+}
+
+TEST(FromShape, KeepsSolidsThatTouchApartWhenAsked) {
+  ReadOptions options;
+  options.fuse = false;
+  const Model model =
+      model_from_shape(compound_of({BRepPrimAPI_MakeBox(1, 1, 1).Shape(),
+                                    BRepPrimAPI_MakeBox(gp_Pnt(1, 0, 0), gp_Pnt(2, 1, 1)).Shape()}),
+                       options);
+  EXPECT_EQ(model.count(2), 12);
+  EXPECT_EQ(model.count(0), 16);
+  for (int f = 1; f <= model.count(2); ++f)
+    EXPECT_TRUE(model.face(f).region[0] == 0 || model.face(f).region[1] == 0);
+}
+
 TEST(FromShape, LeavesSolidsApartAlone) {
   const Model model = model_from_shape(compound_of(
       {BRepPrimAPI_MakeBox(1, 1, 1).Shape(), BRepPrimAPI_MakeBox(gp_Pnt(3, 0, 0), gp_Pnt(4, 1, 1)).Shape()}));
@@ -119,6 +176,10 @@ TEST(FromShape, LeavesOutFacesBesideASolidWithANote) {
   const Model model = model_from_shape(compound_of({BRepPrimAPI_MakeBox(1, 1, 1).Shape(), faces.front()}));
   EXPECT_EQ(model.count(2), 6);
   EXPECT_TRUE(any_note(model, "left out"));
+  const auto& left_out = model.provenance().left_out;
+  ASSERT_EQ(left_out.size(), 1u);
+  EXPECT_EQ(left_out[0].entity, model_face(7));
+  EXPECT_NEAR(left_out[0].measure, 1.0, 1e-9);
 }
 
 TEST(FromShape, RefusesANullShape) { EXPECT_THROW((void)model_from_shape(TopoDS_Shape()), InputError); }

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Bodies that share nothing, meshed and judged each by itself.
+#pragma once
+
+#include "app/mesh_part.h"
+
+namespace octet {
+
+/// As mesh_part(), body by body: solids that touch or overlap without sharing faces get meshes of their own,
+/// which do not fit where the solids meet. The size, where it is to be chosen, is one for all. A claim holds
+/// when it holds for every body. Faces that bound nothing are not meshed; each is a fault of the report.
+[[nodiscard]] MeshResult mesh_apart(const Model& model, const MeshOptions& options, Observer& observer);
+
+/// As accept_mesh(), for a mesh that mesh_apart() made.
+[[nodiscard]] Acceptance accept_apart(const Mesh& mesh, const Model& model);
+
+}  // namespace octet

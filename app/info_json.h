@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `octet info` for programs: JSON text. Lengths are millimetre.
+#pragma once
+
+#include <string>
+
+#include "app/part_info.h"
+
+namespace octet {
+
+[[nodiscard]] std::string part_info_json(const std::string& part, const Model& model, const PartInfo& info);
+
+}  // namespace octet

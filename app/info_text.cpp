@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One line per fact; long lists are cut, --json gives them whole.
+#include "app/info_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace octet {
+namespace {
+
+constexpr std::size_t kShown = 20;
+constexpr std::size_t kShownTags = 10;
+constexpr std::array<const char*, 4> kKind{"Vertex", "Edge", "Face", "Solid"};
+
+std::string place_text(const Vec3& p) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x(), p.y(), p.z()); }
+
+template <class Tags>
+std::string tag_list(const char* prefix, const Tags& tags) {
+  std::string text;
+  for (std::size_t i = 0; i < tags.size() && i < kShownTags; ++i)
+    text += fmt::format("{}{}{}", i == 0 ? "" : ", ", prefix, tags[i]);
+  if (tags.size() > kShownTags) text += fmt::format(" and {} more", tags.size() - kShownTags);
+  return text;
+}
+
+/// A heading with the number of items, and the first of them.
+std::string listed(const char* heading, const std::vector<std::string>& items) {
+  std::string text = fmt::format("  {:<9}{}\n", heading, items.size());
+  for (std::size_t i = 0; i < items.size() && i < kShown; ++i) text += fmt::format("    {}\n", items[i]);
+  if (items.size() > kShown)
+    text += fmt::format("    and {} more (--json lists all)\n", items.size() - kShown);
+  return text;
+}
+
+std::string marks_text(const std::string& colour, const std::string& layer) {
+  std::string text;
+  if (!colour.empty()) text += " " + colour;
+  if (!layer.empty()) text += fmt::format(" layer \"{}\"", layer);
+  return text;
+}
+
+std::string material_text(const std::string& material, double density) {
+  if (material.empty()) return {};
+  if (density <= 0.0) return fmt::format(" material \"{}\"", material);
+  return fmt::format(" material \"{}\" ({:.6g} g/cm^3)", material, density);
+}
+
+std::string node_text(const PartNode& node, int depth) {
+  std::string text(static_cast<std::size_t>(2 * depth), ' ');
+  text += node.name.empty() ? std::string("(no name)") : fmt::format("\"{}\"", node.name);
+  if (!node.instance.empty()) text += fmt::format(" as \"{}\"", node.instance);
+  if (!node.regions.empty()) text += ": Region " + tag_list("", node.regions);
+  return text + marks_text(node.colour, node.layer) + material_text(node.material, node.density);
+}
+
+std::string tree_lines(const Model& model) {
+  const std::vector<PartNode>& tree = model.provenance().tree;
+  if (tree.empty()) return {};
+  std::vector<std::string> lines;
+  std::vector<int> depth;
+  for (const PartNode& node : tree) {
+    depth.push_back(node.parent < 0 ? 0 : depth[static_cast<std::size_t>(node.parent)] + 1);
+    lines.push_back(node_text(node, depth.back()));
+  }
+  return listed("parts", lines);
+}
+
+std::string name_lines(const Model& model) {
+  std::vector<std::string> names;
+  const auto add = [&](ModelRef entity, const std::string& name) {
+    if (!name.empty()) names.push_back(model.describe(entity));
+  };
+  for (int r = 1; r <= model.count(3); ++r) add(model_region(r), model.region(r).name);
+  for (int f = 1; f <= model.count(2); ++f) add(model_face(f), model.face(f).name);
+  for (int e = 1; e <= model.count(1); ++e) add(model_edge(e), model.edge(e).name);
+  for (int v = 1; v <= model.count(0); ++v) add(model_vertex(v), model.vertex(v).name);
+  return names.empty() ? std::string("  names    none\n") : listed("names", names);
+}
+
+std::string smallest_lines(const Model& model, const PartInfo& info) {
+  std::string text;
+  if (info.smallest_edge > 0)
+    text += fmt::format("  smallest edge  {}, {:.6g} mm\n", model.describe(model_edge(info.smallest_edge)),
+                        model.edge(info.smallest_edge).length);
+  if (info.smallest_face > 0)
+    text += fmt::format("  smallest face  {}, {:.6g} mm^2\n", model.describe(model_face(info.smallest_face)),
+                        model.face(info.smallest_face).area);
+  if (info.thinnest)
+    text += fmt::format("  thinnest wall  {:.6g} mm at {}, from {} to {}\n", info.thinnest->thickness,
+                        place_text(info.thinnest->from), model.describe(model_face(info.thinnest->face)),
+                        model.describe(model_face(info.thinnest->opposite)));
+  return text;
+}
+
+std::string interface_lines(const Model& model, const PartInfo& info) {
+  if (info.interfaces.empty()) return {};
+  std::vector<std::string> lines;
+  for (const Interface& shared : info.interfaces)
+    lines.push_back(fmt::format("{} | {}: {}, {:.6g} mm^2", model.describe(model_region(shared.regions[0])),
+                                model.describe(model_region(shared.regions[1])),
+                                tag_list("Face", shared.faces), shared.area));
+  return listed("contacts", lines);
+}
+
+std::string solid_text(const Model& model, int number) {
+  const std::string& name = model.provenance().as_read[3][static_cast<std::size_t>(number)].name;
+  return name.empty() ? fmt::format("Solid {}", number) : fmt::format("Solid {} \"{}\"", number, name);
+}
+
+std::string overlap_lines(const Model& model, const PartInfo& info) {
+  if (info.overlaps.empty()) return {};
+  std::vector<std::string> lines;
+  for (const Overlap& overlap : info.overlaps) {
+    std::string solids;
+    for (const int number : overlap.solids)
+      solids += (solids.empty() ? "" : " and ") + solid_text(model, number);
+    lines.push_back(fmt::format("{} share Region {}, {:.6g} mm^3", solids, overlap.region,
+                                model.region(overlap.region).volume));
+  }
+  return listed("overlaps", lines);
+}
+
+std::string change_lines(const PartInfo& info) {
+  if (info.changes.empty()) return {};
+  std::vector<std::string> lines;
+  // Faces and solids are what users name; edges and vertices follow from them.
+  for (auto it = info.changes.rbegin(); it != info.changes.rend(); ++it) {
+    const char* kind = kKind[static_cast<std::size_t>(it->as_read.dim)];
+    const char* now = it->as_read.dim == 3 ? "Region" : kind;
+    lines.push_back(fmt::format("{}{} as read is {}", kind, it->as_read.tag, tag_list(now, it->tags)));
+  }
+  std::stable_sort(lines.begin(), lines.end(),
+                   [](const std::string& a, const std::string& b) { return (a[0] == 'S') > (b[0] == 'S'); });
+  return listed("numbers", lines);
+}
+
+std::string left_out_lines(const Model& model) {
+  if (model.provenance().left_out.empty()) return {};
+  std::vector<std::string> lines;
+  for (const LeftOut& item : model.provenance().left_out)
+    lines.push_back(fmt::format("{}{} as read{}, {:.6g} mm{}, at {}",
+                                kKind[static_cast<std::size_t>(item.entity.dim)], item.entity.tag,
+                                item.name.empty() ? "" : " \"" + item.name + "\"", item.measure,
+                                item.entity.dim == 2 ? "^2" : "", place_text(item.place)));
+  return listed("left out", lines);
+}
+
+std::string fault_summary(const PartInfo& info) {
+  std::string text;
+  if (!info.free_edges.empty())
+    text += fmt::format("  free edges       {}\n", tag_list("Edge", info.free_edges));
+  if (!info.nonmanifold.empty())
+    text += fmt::format("  shared edges     {} (more than two faces)\n", tag_list("Edge", info.nonmanifold));
+  if (!info.pinched.empty())
+    text += fmt::format("  pinched vertices {} (the boundary touches itself)\n",
+                        tag_list("Vertex", info.pinched));
+  if (!info.dangling_faces.empty())
+    text += fmt::format("  dangling faces   {}\n", tag_list("Face", info.dangling_faces));
+  return text.empty() ? "  faults   none: every face bounds a region, every edge joins faces\n" : text;
+}
+
+const char* use_text(EdgeUse use) {
+  return use == EdgeUse::kSeam ? ", seam" : use == EdgeUse::kDegenerate ? ", no length" : "";
+}
+
+/// The end of a table's line: name, marks, and the numbers as read where they are others.
+std::string line_end(int dim, int tag, const std::vector<std::vector<int>>& sources, const std::string& name,
+                     const std::string& marks) {
+  std::string text = (name.empty() ? std::string() : fmt::format(" \"{}\"", name)) + marks;
+  if (static_cast<std::size_t>(tag) < sources.size() && !sources[static_cast<std::size_t>(tag)].empty() &&
+      sources[static_cast<std::size_t>(tag)] != std::vector<int>{tag})
+    text += fmt::format(" ({} as read)", tag_list(kKind[static_cast<std::size_t>(dim)],
+                                                  sources[static_cast<std::size_t>(tag)]));
+  return text + "\n";
+}
+
+}  // namespace
+
+std::string part_text(const Model& model, const PartInfo& info) {
+  const Vec3 size = info.box.size();
+  std::string text = fmt::format("  unit     {} (lengths below are millimetre)\n", model.unit());
+  text += fmt::format("  size     {:.6g} x {:.6g} x {:.6g}, diagonal {:.6g}\n", size.x(), size.y(), size.z(),
+                      info.box.diagonal());
+  text += fmt::format("  box      {} to {}\n", place_text(info.box.lo), place_text(info.box.hi));
+  text += fmt::format("  volume   {:.6g} mm^3, area {:.6g} mm^2\n", info.volume, info.area);
+  text += fmt::format("  counts   {} regions, {} faces, {} edges ({} seams, {} degenerate), {} vertices\n",
+                      model.count(3), model.count(2), model.count(1), info.seams, info.degenerate,
+                      model.count(0));
+  text += tree_lines(model) + interface_lines(model, info) + overlap_lines(model, info);
+  text += smallest_lines(model, info);
+  text += fmt::format("  default mesh size {:.6g} mm\n", info.default_size);
+  text += name_lines(model) + change_lines(info) + left_out_lines(model);
+  text += fault_summary(info);
+  for (const std::string& note : model.notes()) text += fmt::format("  note     {}\n", note);
+  return text;
+}
+
+std::string entity_table(const Model& model) {
+  const auto sources_of = [&](int dim) { return sources(model.provenance(), dim, model.count(dim)); };
+  std::string text;
+  const auto solids = sources_of(3);
+  for (int r = 1; r <= model.count(3); ++r) {
+    const ModelRegion& region = model.region(r);
+    text += fmt::format("  Region{}: volume {:.6g} mm^3, {} faces", r, region.volume, region.faces.size());
+    text +=
+        line_end(3, r, solids, region.name,
+                 marks_text(region.colour, region.layer) + material_text(region.material, region.density));
+  }
+  const auto faces = sources_of(2);
+  for (int f = 1; f <= model.count(2); ++f) {
+    const ModelFace& face = model.face(f);
+    text += fmt::format("  Face{}: {}, area {:.6g} mm^2, tolerance {:.2g}, regions {} | {}", f,
+                        model.surface(f).kind(), face.area, face.tolerance, face.region[0], face.region[1]);
+    text += line_end(2, f, faces, face.name, marks_text(face.colour, face.layer));
+  }
+  const auto edges = sources_of(1);
+  for (int e = 1; e <= model.count(1); ++e) {
+    const ModelEdge& edge = model.edge(e);
+    text += fmt::format("  Edge{}: {}{}, length {:.6g} mm, tolerance {:.2g}, {}", e,
+                        edge.use == EdgeUse::kDegenerate ? "point" : model.curve(e).kind(),
+                        use_text(edge.use), edge.length, edge.tolerance, tag_list("Face", edge.faces));
+    text += line_end(1, e, edges, edge.name, marks_text(edge.colour, edge.layer));
+  }
+  const auto vertices = sources_of(0);
+  for (int v = 1; v <= model.count(0); ++v) {
+    const ModelVertex& vertex = model.vertex(v);
+    text += fmt::format("  Vertex{}: {}, tolerance {:.2g}", v, place_text(vertex.point), vertex.tolerance);
+    text += line_end(0, v, vertices, vertex.name, "");
+  }
+  return text;
+}
+
+}  // namespace octet

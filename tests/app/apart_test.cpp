@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Bodies that share nothing are meshed by themselves, and what bounds nothing is told.
+#include "app/apart.h"
+
+#include <gtest/gtest.h>
+
+#include <BOPAlgo_Builder.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRep_Builder.hxx>
+#include <TopoDS_Compound.hxx>
+#include <gp_Pln.hxx>
+
+#include "geom/bodies.h"
+#include "geom/model_check.h"
+#include "geom/occt/from_shape.h"
+
+namespace octet {
+namespace {
+
+Model touching_boxes(bool fuse) {
+  TopoDS_Compound all;
+  BRep_Builder builder;
+  builder.MakeCompound(all);
+  builder.Add(all, BRepPrimAPI_MakeBox(2, 2, 2).Shape());
+  builder.Add(all, BRepPrimAPI_MakeBox(gp_Pnt(2, 0, 0), gp_Pnt(3, 1, 1)).Shape());
+  ReadOptions options;
+  options.fuse = fuse;
+  return model_from_shape(all, options);
+}
+
+/// A cube of side 2 with a square of side 1 in its middle.
+Model cube_with_embedded_square() {
+  BOPAlgo_Builder builder;
+  builder.AddArgument(BRepPrimAPI_MakeBox(2, 2, 2).Shape());
+  builder.AddArgument(
+      BRepBuilderAPI_MakeFace(gp_Pln(gp_Pnt(1, 1, 1), gp::DZ()), -0.5, 0.5, -0.5, 0.5).Shape());
+  builder.Perform();
+  return model_from_shape(builder.Shape());
+}
+
+TEST(Apart, BodiesAreModelsOfTheirOwn) {
+  const Model model = touching_boxes(false);
+  const std::vector<Body> bodies = take_apart(model);
+  ASSERT_EQ(bodies.size(), 2u);
+  for (std::size_t b = 0; b < 2; ++b) {
+    const Model& body = bodies[b].model;
+    EXPECT_TRUE(check_model(body).empty());
+    EXPECT_EQ(body.count(3), 1);
+    EXPECT_EQ(body.count(2), 6);
+    const int whole = bodies[b].whole_tag[3][1];
+    EXPECT_EQ(whole, static_cast<int>(b) + 1);
+    EXPECT_EQ(body.region(1).volume, model.region(whole).volume);
+    for (int v = 1; v <= body.count(0); ++v)
+      EXPECT_EQ(body.vertex(v).point,
+                model.vertex(bodies[b].whole_tag[0][static_cast<std::size_t>(v)]).point);
+  }
+}
+
+TEST(Apart, FusedSolidsThatTouchAreOneBody) { EXPECT_EQ(take_apart(touching_boxes(true)).size(), 1u); }
+
+TEST(Apart, EveryBodyIsMeshedAndJudgedByItself) {
+  const Model model = touching_boxes(false);
+  MeshOptions options;
+  options.size = 0.5;
+  Observer silent;
+  MeshResult result = mesh_apart(model, options, silent);
+  EXPECT_EQ(result.report.status, MeshStatus::kComplete);
+  EXPECT_NEAR(result.report.volume, 9.0, 1e-9);
+  EXPECT_EQ(result.report.tets, result.mesh.tets.size());
+  EXPECT_TRUE(accept_apart(result.mesh, model).holds());
+  // The same places of the two bodies are two vertices: for the whole that is a fault.
+  EXPECT_FALSE(accept_mesh(result.mesh, model).holds());
+  result.mesh.tets.pop_back();
+  result.mesh.tet_in.pop_back();
+  EXPECT_FALSE(accept_apart(result.mesh, model).holds());
+}
+
+TEST(Apart, AFaceThatBoundsNothingIsAFaultAndNothingElse) {
+  const Model model = cube_with_embedded_square();
+  ASSERT_EQ(model.count(2), 7);
+  const MeshResult result = mesh_part(model);
+  EXPECT_EQ(result.report.status, MeshStatus::kIncomplete);
+  ASSERT_EQ(result.report.faults.size(), 1u);
+  EXPECT_EQ(result.report.faults[0].entity, model_face(7));
+  EXPECT_NEAR(result.report.faults[0].place.z(), 1.0, 1e-9);
+  EXPECT_TRUE(result.report.acceptance.holds());
+  EXPECT_NEAR(result.report.volume, 8.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace octet

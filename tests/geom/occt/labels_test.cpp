@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the file says of parts, solids and faces comes through reading and fusing.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "sample_parts.h"
+
+namespace octet::test {
+namespace {
+
+/// The one region whose volume is this.
+int region_of_volume(const Model& model, double volume, int from = 1) {
+  for (int r = from; r <= model.count(3); ++r)
+    if (std::abs(model.region(r).volume - volume) < 1e-6 * volume) return r;
+  return 0;
+}
+
+constexpr double kPlate = 40.0 * 20.0 * 4.0, kBlock = 12.0 * 12.0 * 8.0, kPin = 125.66370614359172;
+
+TEST(Labels, NameColourAndMaterialStayWithTheirSolids) {
+  const Model model = sample("fixture");
+  ASSERT_EQ(model.count(3), 4);
+  const ModelRegion& plate = model.region(region_of_volume(model, kPlate));
+  EXPECT_EQ(plate.name, "plate");
+  EXPECT_EQ(plate.colour, "#0000ff");
+  EXPECT_EQ(plate.material, "steel");
+  EXPECT_NEAR(plate.density, 7.85, 1e-9);
+  const ModelRegion& block = model.region(region_of_volume(model, kBlock));
+  EXPECT_EQ(block.name, "block");
+  EXPECT_EQ(block.colour, "#00ff00");
+  EXPECT_EQ(block.material, "aluminium");
+  EXPECT_NEAR(block.density, 2.7, 1e-9);
+}
+
+TEST(Labels, BothUsesOfAPartHaveItsNameAndLayer) {
+  const Model model = sample("fixture");
+  const int first = region_of_volume(model, kPin), second = region_of_volume(model, kPin, first + 1);
+  ASSERT_GT(second, first);
+  for (const int pin : {first, second}) {
+    EXPECT_EQ(model.region(pin).name, "pin");
+    EXPECT_EQ(model.region(pin).layer, "hardware");
+    EXPECT_EQ(model.region(pin).colour, "#ffff00");
+    EXPECT_TRUE(model.region(pin).material.empty());
+  }
+}
+
+TEST(Labels, AFacesOwnColourGoesBeforeThatOfItsSolid) {
+  const Model model = sample("fixture");
+  int seats = 0;
+  const int block = region_of_volume(model, kBlock);
+  for (const int f : model.region(block).faces) {
+    const ModelFace& face = model.face(f);
+    if (face.name == "seat") {
+      ++seats;
+      EXPECT_EQ(face.colour, "#ff0000");
+      EXPECT_NEAR(face.area, 144.0, 1e-9);
+    } else if (face.region[0] == 0 || face.region[1] == 0) {
+      EXPECT_EQ(face.colour, "#00ff00");
+    }
+  }
+  EXPECT_EQ(seats, 1);
+}
+
+TEST(Labels, TheTreeHoldsEveryUseOfAPartOnce) {
+  const Model model = sample("fixture");
+  const std::vector<PartNode>& tree = model.provenance().tree;
+  ASSERT_EQ(tree.size(), 5u);
+  EXPECT_EQ(tree[0].name, "fixture");
+  EXPECT_EQ(tree[0].parent, -1);
+  EXPECT_TRUE(tree[0].solids.empty());
+  std::multiset<std::string> names, instances;
+  std::set<int> solids;
+  for (std::size_t i = 1; i < tree.size(); ++i) {
+    EXPECT_EQ(tree[i].parent, 0);
+    ASSERT_EQ(tree[i].solids.size(), 1u);
+    solids.insert(tree[i].solids.front());
+    names.insert(tree[i].name);
+    instances.insert(tree[i].instance);
+  }
+  EXPECT_EQ(solids.size(), 4u);
+  EXPECT_EQ(names, (std::multiset<std::string>{"block", "pin", "pin", "plate"}));
+  EXPECT_EQ(instances, (std::multiset<std::string>{"block:1", "pin:1", "pin:2", "plate:1"}));
+  EXPECT_EQ(std::count_if(tree.begin(), tree.end(),
+                          [&](const PartNode& node) { return &node != &tree[node.first_use]; }),
+            1);
+}
+
+TEST(Labels, WhatTouchesThePlateSharesOneFaceWithIt) {
+  const Model model = sample("fixture");
+  const int plate = region_of_volume(model, kPlate);
+  std::set<int> beside;
+  double area = 0.0;
+  for (int f = 1; f <= model.count(2); ++f) {
+    const auto& region = model.face(f).region;
+    if (region[0] == 0 || region[1] == 0) continue;
+    EXPECT_TRUE(region[0] == plate || region[1] == plate);
+    EXPECT_TRUE(beside.insert(region[0] == plate ? region[1] : region[0]).second);
+    area += model.face(f).area;
+  }
+  EXPECT_EQ(beside.size(), 3u);
+  EXPECT_NEAR(area, 144.0 + 2.0 * kPin / 10.0, 1e-6);
+}
+
+}  // namespace
+}  // namespace octet::test
