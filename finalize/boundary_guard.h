@@ -71,7 +71,8 @@ class BoundaryGuard {
     return fit.turn <= bound.turn && fit.sag <= bound.sag;
   }
 
-  /// Whether the regions' volumes may change so: nearer to the exact volume, or within a small share of it.
+  /// Whether the regions' volumes may change so: nearer to the exact volume, or within a small share of it,
+  /// or a tenth beyond the error that was there at first.
   [[nodiscard]] bool admits(std::span<const VolumeChange> changes) const;
   void take(std::span<const VolumeChange> changes);
 
