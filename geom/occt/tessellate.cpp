@@ -223,7 +223,7 @@ void tessellate(const Numbering& numbering, double deflection, const StageLog& l
   if (succeeds(own)) return;
   // OCCT's mesher takes loops that are not closed; it now and then loses a face or a piece of one where loops
   // nearly touch, and another spacing of the nodes along the edges then often succeeds.
-  log("triangulating the faces with OCCT's mesher");
+  log(fmt::format("triangulating the faces with OCCT's mesher, since {},", first->what()));
   for (const double share : {1.0, 0.4, 0.15, 2.3})
     if (succeeds([&] { run_mesher(numbering, share * deflection); })) return;
   throw ModelError(*first);
