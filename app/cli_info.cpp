@@ -8,14 +8,22 @@
 #include "app/exit_code.h"
 #include "app/info_json.h"
 #include "app/info_text.h"
+#include "app/size_table.h"
 #include "geom/occt/read_part.h"
 
 namespace octet {
 
 int run_info(const InfoCommand& command) {
   const Model model = read_part(command.part, command.reading);
-  const PartInfo info = part_info(model);
   const std::string name = command.part.string();
+  if (command.show_sizes) {
+    MeshOptions options;
+    apply_sizes(command.sizes, length_unit(command.unit.empty() ? "mm" : command.unit), options);
+    const SizePlan plan = plan_sizes(model, options);
+    fmt::print("{}", command.json ? size_table_json(name, model, plan) : size_table(name, model, plan));
+    return kExitComplete;
+  }
+  const PartInfo info = part_info(model);
   if (command.json) {
     fmt::print("{}", part_info_json(name, model, info));
   } else {

@@ -27,7 +27,10 @@ struct MeshCommand {
 struct InfoCommand {
   std::filesystem::path part;
   ReadOptions reading;
+  SizeWords sizes;
+  std::string unit;  ///< of the sizes; empty: millimetre
   bool json = false, entities = false;
+  bool show_sizes = false;  ///< the size of each entity and why, instead of the part
 };
 
 struct CheckCommand {

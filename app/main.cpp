@@ -84,11 +84,38 @@ void add_mesh(CLI::App& app, MeshCommand& mesh) {
   sub.footer(kFooter);
 }
 
+void add_adapt(CLI::App& app, MeshCommand& adapt) {
+  CLI::App& sub =
+      *app.add_subcommand("adapt", "Mesh a part anew, with the sizes that an error estimate wants");
+  sub.add_option("mesh", adapt.sizes.field_mesh, "The mesh that was solved on: MSH or VTU")
+      ->required()
+      ->type_name("FILE");
+  sub.add_option("part", adapt.part, "STEP, IGES or BREP file")->required()->type_name("FILE");
+  sub.add_option("-o,--output", adapt.output, "Mesh file to write (.msh or .vtu)")
+      ->required()
+      ->type_name("FILE");
+  add_size_options(sub, adapt.sizes);
+  sub.get_option("--field")->required()->description(
+      "Sizes wanted: CSV with one size a line, for each tetrahedron or each node of the mesh in its order; "
+      "or as "
+      "for octet mesh");
+  sub.add_option("--unit", adapt.unit, kUnitHelp)->type_name("UNIT");
+  sub.add_option("--report", adapt.report, "Write a report as JSON")->type_name("FILE");
+  sub.add_flag("--quiet,-q", adapt.quiet, "Print nothing but errors");
+  add_reading_options(sub, adapt.reading);
+  sub.footer(kFooter);
+  adapt.sizes.size_of_field = true;
+}
+
 void add_info(CLI::App& app, InfoCommand& info) {
   CLI::App& sub = *app.add_subcommand("info", "Tell what a part is: unit, size, entities, names, faults");
   sub.add_option("part", info.part, "STEP, IGES or BREP file")->required()->type_name("FILE");
   sub.add_flag("--json", info.json, "Print JSON, with every entity");
   sub.add_flag("--entities", info.entities, "Print a line for every entity, too");
+  sub.add_flag("--sizes", info.show_sizes,
+               "Print the size that each entity gets from the options below, and why, instead");
+  add_size_options(sub, info.sizes);
+  sub.add_option("--unit", info.unit, std::string("Unit of the sizes: ") + kUnitHelp)->type_name("UNIT");
   add_reading_options(sub, info.reading);
   sub.footer(kFooter);
 }
@@ -149,12 +176,13 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", std::string("octet ") + OCTET_VERSION);
   app.footer(kFooter);
   app.require_subcommand(1);
-  MeshCommand mesh;
+  MeshCommand mesh, adapt;
   InfoCommand info;
   CheckCommand check;
   QualityCommand quality;
   ImproveCommand improve;
   add_mesh(app, mesh);
+  add_adapt(app, adapt);
   add_info(app, info);
   add_check(app, check);
   add_quality(app, quality);
@@ -170,6 +198,7 @@ int run(int argc, char** argv) {
     return complain(std::string(error.what()) + "; see octet --help", kExitBadInput);
   }
   if (app.got_subcommand("mesh")) return guarded([&] { return run_mesh(mesh); });
+  if (app.got_subcommand("adapt")) return guarded([&] { return run_mesh(adapt); });
   if (app.got_subcommand("info")) return guarded([&] { return run_info(info); });
   if (app.got_subcommand("improve")) return guarded([&] { return run_improve(improve); });
   if (app.got_subcommand("quality")) return guarded([&] { return run_quality(quality); });

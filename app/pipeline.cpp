@@ -15,6 +15,7 @@
 #include "app/mesh_part.h"
 #include "app/octant_sizes.h"
 #include "app/stage_clock.h"
+#include "app/target_elements.h"
 #include "classify/extract.h"
 #include "finalize/finalize.h"
 #include "geom/wide_gaps.h"
@@ -233,7 +234,10 @@ MeshResult mesh_part(const Model& model, const MeshOptions& options, Observer& o
   if (has_faces_that_bound_nothing(model)) return mesh_apart(model, options, observer);
   MeshResult result;
   tbb::task_arena arena(options.threads);
-  arena.execute([&] { result = Run(model, options, observer).run(); });
+  const auto mesh = [&](const MeshOptions& with) { return Run(model, with, observer).run(); };
+  arena.execute([&] {
+    result = options.target_elements > 0.0 ? mesh_to_target(model, options, mesh) : mesh(options);
+  });
   return result;
 }
 

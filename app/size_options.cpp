@@ -89,7 +89,15 @@ void add_size_options(CLI::App& command, SizeWords& words) {
                   "Face#ff0000=1, Face@x,y,z=0.5 (nearest), box:x,y,z,x,y,z=1, ball:x,y,z,r=1, "
                   "cylinder:x,y,z,x,y,z,r=1, Edge5=/12 (twelve elements)")
       ->type_name("PLACE=LENGTH")
-      ->expected(1)
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command
+      .add_option(
+          "--field", words.fields,
+          "Sizes over space, may be repeated: CSV lines x,y,z,size, or an MSH file with a view of its "
+          "elements or nodes")
+      ->type_name("FILE")
+      ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   number("--curvature", words.curvature,
          "Elements on a full circle, or the angle of one as 20deg; 0: off (default: 11)", "N");
@@ -103,7 +111,7 @@ void add_size_options(CLI::App& command, SizeWords& words) {
           kConfig,
           "Options from a JSON or TOML file, in the same words: {\"size\": 2}; the command line prevails")
       ->type_name("FILE")
-      ->expected(1)
+      ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 

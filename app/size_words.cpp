@@ -4,9 +4,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <utility>
+
+#include "io/size_file.h"
+#include "mesh/background.h"
 
 namespace octet {
 namespace {
@@ -44,6 +49,13 @@ void make_uniform(SizeControl& control) {
   control.short_edges = false;
 }
 
+Background scaled(Background field, double unit) {
+  for (Vec3& p : field.points) p *= unit;
+  for (double& size : field.tet_size) size *= unit;
+  for (double& size : field.point_size) size *= unit;
+  return field;
+}
+
 }  // namespace
 
 void apply_sizes(const SizeWords& words, const LengthUnit& unit, MeshOptions& options) {
@@ -70,8 +82,20 @@ void apply_sizes(const SizeWords& words, const LengthUnit& unit, MeshOptions& op
       throw InputError(fmt::format("--growth must lie above 1 and not above 2, not {}", *words.growth));
     options.growth = *words.growth;
   }
+  if (words.target_elements) {
+    if (!std::isfinite(*words.target_elements) || *words.target_elements < 1.0)
+      throw InputError(fmt::format("--target-elements must be at least 1, not {}", *words.target_elements));
+    options.target_elements = *words.target_elements;
+  }
   for (const std::string& text : words.size_at)
     options.attributes.push_back(parse_size_attribute(text, unit.millimetres));
+  for (const std::filesystem::path& path : words.fields) {
+    const Background field = scaled(read_size_file(path, words.field_mesh), unit.millimetres);
+    const std::vector<double>& sizes = field.tet_size.empty() ? field.point_size : field.tet_size;
+    if (words.size_of_field && !words.size)
+      options.size = std::max(options.size, *std::max_element(sizes.begin(), sizes.end()));
+    options.background = smaller_of(std::move(options.background), background_field(field));
+  }
 }
 
 }  // namespace octet

@@ -18,9 +18,10 @@ struct SizeWords {
   std::string curvature;  ///< elements on a circle ("12"), or an angle ("20deg"); "0": off
   std::optional<double> wall_elements, gap_elements, growth, target_elements;
   std::vector<std::string> size_at;
-  std::vector<std::filesystem::path> fields;
-  std::string field_name;  ///< which of a file's fields; empty: `size`, or the only one
-  bool uniform = false;    ///< nothing for the part's own sake
+  std::vector<std::filesystem::path> fields;  ///< size files (io/size_file.h)
+  std::filesystem::path field_mesh;           ///< the mesh whose elements they count; may be empty
+  bool size_of_field = false;                 ///< without a size, the fields' largest is the size
+  bool uniform = false;                       ///< nothing for the part's own sake
 };
 
 /// The options with the sizes set; fields are read. InputError for what makes no sense.

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The size that each entity of the part gets, and why, before anything is meshed.
+#pragma once
+
+#include <string>
+
+#include "geom/size_plan.h"
+
+namespace octet {
+
+/// One line per entity that is finer than the rest, for people. Lengths in millimetre.
+[[nodiscard]] std::string size_table(const std::string& part, const Model& model, const SizePlan& plan);
+/// The same as JSON.
+[[nodiscard]] std::string size_table_json(const std::string& part, const Model& model, const SizePlan& plan);
+
+}  // namespace octet

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sizes scaled until the mesh has about as many tetrahedra as asked for.
+#pragma once
+
+#include <functional>
+
+#include "app/mesh_part.h"
+
+namespace octet {
+
+/// The options with all sizes, wherever they come from, multiplied.
+[[nodiscard]] MeshOptions scaled_sizes(const Model& model, const MeshOptions& options, double scale);
+
+/// Meshes with sizes scaled so that the tetrahedra are within an eighth of options.target_elements, as far as
+/// that can be had (where small features decide, counts jump as octants halve): octrees alone are tried
+/// first, at a small share of a mesh's cost, and at most three meshes are made. The nearest one is returned.
+/// `mesh` runs without a target.
+[[nodiscard]] MeshResult mesh_to_target(const Model& model, const MeshOptions& options,
+                                        const std::function<MeshResult(const MeshOptions&)>& mesh);
+
+}  // namespace octet

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sizes on the command line, from files, and from a previous mesh.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+
+#include "app/exit_code.h"
+#include "io/write.h"
+#include "tests/app/edge_lengths.h"
+#include "tests/app/program.h"
+
+namespace octet {
+namespace {
+
+using Json = nlohmann::json;
+
+std::string box() { return model_file("box.step"); }  // 10 x 20 x 30
+
+double mean_near(const Mesh& mesh, const Vec3& centre, double radius) {
+  return test::mean(test::edge_lengths(mesh, mesh.tets, [&](const Vec3& a, const Vec3& b) {
+    return std::max((a - centre).norm(), (b - centre).norm()) < radius;
+  }));
+}
+
+TEST(SizeCommand, ConfigSaysTheSameInJsonAndTomlAndTheCommandLinePrevails) {
+  const TemporaryDirectory out;
+  write_bytes(out.file("a.json"), R"({"size": 4, "size-at": {"Face1": 1.0, "ball:5,5,5,2": 1.0}})");
+  write_bytes(out.file("a.toml"), "size = 4\nsize-at = [\"Face1=1.0\", \"ball:5,5,5,2=1.0\"]\n");
+  const auto mesh = [&](const std::string& name, std::vector<std::string> options) {
+    options.insert(options.begin(), {"mesh", box(), "-o", out.file(name), "--quiet"});
+    const ProgramRun run = run_octet(options);
+    EXPECT_EQ(run.exit_code, kExitComplete) << run.err;
+    return read_bytes(out.file(name));
+  };
+  const std::string words =
+      mesh("w.msh", {"--size", "4", "--size-at", "Face1=1", "--size-at", "ball:5,5,5,2=1"});
+  EXPECT_TRUE(mesh("j.msh", {"--config", out.file("a.json")}) == words);
+  EXPECT_TRUE(mesh("t.msh", {"--config", out.file("a.toml")}) == words);
+  EXPECT_FALSE(mesh("o.msh", {"--config", out.file("a.json"), "--size", "5"}) == words);
+}
+
+TEST(SizeCommand, WhatMakesNoSenseIsRefusedInOneLine) {
+  const TemporaryDirectory out;
+  write_bytes(out.file("bad.json"), "{\"size\": ");
+  write_bytes(out.file("word.json"), "{\"sise\": 2}");
+  write_bytes(out.file("bad.csv"), "1,2,3\n");
+  for (const std::vector<std::string>& options : {std::vector<std::string>{"--size-at", "Face99=1"},
+                                                  {"--size-at", "Face1"},
+                                                  {"--growth", "0.9"},
+                                                  {"--curvature", "x"},
+                                                  {"--curvature", "1"},
+                                                  {"--wall-elements", "-1"},
+                                                  {"--target-elements", "0"},
+                                                  {"--max-size", "0"},
+                                                  {"--config", out.file("none.json")},
+                                                  {"--config", out.file("bad.json")},
+                                                  {"--config", out.file("word.json")},
+                                                  {"--field", out.file("bad.csv")},
+                                                  {"--field", out.file("none.csv")}}) {
+    std::vector<std::string> all{"mesh", box(), "-o", out.file("a.msh")};
+    all.insert(all.end(), options.begin(), options.end());
+    const ProgramRun run = run_octet(all);
+    EXPECT_EQ(run.exit_code, kExitBadInput) << options[0] << " " << options[1];
+    EXPECT_EQ(run.err.rfind("octet: error: ", 0), 0u) << run.err;
+  }
+}
+
+TEST(SizeCommand, PointCloudsAreFields) {
+  const TemporaryDirectory out;
+  write_bytes(out.file("a.csv"), "x,y,z,size\n0,0,0,0.5\n5,10,15,3\n10,20,30,3\n");
+  const ProgramRun run = run_octet({"mesh", box(), "-o", out.file("a.msh"), "--size", "3", "--uniform",
+                                    "--field", out.file("a.csv"), "--quiet"});
+  ASSERT_EQ(run.exit_code, kExitComplete) << run.err;
+  const Mesh mesh = read_mesh(out.file("a.msh"));
+  EXPECT_NEAR(mean_near(mesh, Vec3(1, 1, 1), 2.0) / 0.5, 1.0, 0.41);
+  EXPECT_NEAR(mean_near(mesh, Vec3(8, 18, 25), 6.0) / 3.0, 1.0, 0.25);
+}
+
+TEST(SizeCommand, AdaptGivesEachElementsPlaceTheSizeItWants) {
+  const TemporaryDirectory out;
+  ASSERT_EQ(run_octet({"mesh", box(), "-o", out.file("a.msh"), "--size", "3", "--quiet"}).exit_code,
+            kExitComplete);
+  const Mesh before = read_mesh(out.file("a.msh"));
+  std::ofstream sizes(out.file("size.csv"));
+  for (const auto& t : before.tets) {
+    double z = 0.0;
+    for (const Mesh::Index v : t) z += 0.25 * before.points[v].z();
+    sizes << (z < 8.0 ? 1.0 : 4.0) << "\n";
+  }
+  sizes.close();
+  const ProgramRun run = run_octet({"adapt", out.file("a.msh"), box(), "-o", out.file("b.msh"), "--uniform",
+                                    "--field", out.file("size.csv"), "--quiet"});
+  ASSERT_EQ(run.exit_code, kExitComplete) << run.err;
+  const Mesh after = read_mesh(out.file("b.msh"));
+  EXPECT_NEAR(mean_near(after, Vec3(5, 10, 3), 4.0) / 1.0, 1.0, 0.25);
+  EXPECT_NEAR(mean_near(after, Vec3(5, 10, 24), 8.0) / 4.0, 1.0, 0.3);
+}
+
+TEST(SizeCommand, TargetElementsAreMetWithinFifteenPercent) {
+  const TemporaryDirectory out;
+  for (const auto& [part, target] :
+       {std::pair<std::string, int>{"ball.step", 8000}, {"bracket.step", 20000}, {"torus.step", 8000}}) {
+    const ProgramRun run =
+        run_octet({"mesh", model_file(part), "-o", out.file("a.msh"), "--report", out.file("a.json"),
+                   "--target-elements", std::to_string(target), "--quiet"});
+    ASSERT_EQ(run.exit_code, kExitComplete) << run.err;
+    EXPECT_NEAR(Json::parse(read_bytes(out.file("a.json")))["tets"].get<double>() / target, 1.0, 0.15)
+        << part;
+  }
+}
+
+TEST(SizeCommand, InfoTellsTheSizesAndWhy) {
+  const Json info = Json::parse(
+      run_octet({"info", box(), "--sizes", "--json", "--size", "25", "--size-at", "Face2=1"}).out);
+  EXPECT_EQ(info["size"].get<double>(), 25.0);
+  bool asked = false, near = false;
+  for (const Json& entity : info["entities"]) {
+    if (entity["dim"] == 2 && entity["tag"] == 2)
+      asked = entity["why"] == "asked for" && entity["size"].get<double>() == 1.0;
+    near |= entity["dim"] == 1 && entity["size"].get<double>() == 10.0;
+  }
+  EXPECT_TRUE(asked && near) << info.dump();
+}
+
+}  // namespace
+}  // namespace octet
