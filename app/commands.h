@@ -21,6 +21,7 @@ struct MeshCommand {
   std::optional<int> threads;  ///< none: one per core
   std::optional<double> max_elements;
   bool finalize = true;
+  bool fast = false;
   bool quiet = false, verbose = false;
 };
 

@@ -77,6 +77,7 @@ void add_mesh(CLI::App& app, MeshCommand& mesh) {
   sub.add_option("--report", mesh.report, "Write a report as JSON")->type_name("FILE");
   sub.add_option("--dump-stages", mesh.dump_directory, "Write the mesh of every stage into this directory")
       ->type_name("DIR");
+  sub.add_flag("--fast", mesh.fast, "Improve the worst elements' shapes only, not the good ones'");
   sub.add_flag("!--no-finalize", mesh.finalize, "Leave the elements' shapes as classification made them");
   CLI::Option* quiet = sub.add_flag("--quiet,-q", mesh.quiet, "Print nothing but errors");
   sub.add_flag("--verbose,-v", mesh.verbose, "Tell of every stage on stderr")->excludes(quiet);

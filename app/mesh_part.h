@@ -23,6 +23,7 @@ struct MeshOptions : SizeControl {
   std::size_t max_elements = 20'000'000;  ///< LimitError when more would be needed
   int threads = 1;                        ///< same bytes for any number
   bool finalize = true;
+  bool fast = false;  ///< finalization works on the worst elements alone
 };
 
 /// What a run came to.

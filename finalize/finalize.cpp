@@ -85,14 +85,20 @@ FinalizeReport finalize(Mesh& mesh, const Model& model, const FinalizeOptions& o
   Workshop shop(to_work_mesh(mesh, options.fixed_vertices), model, options);
   const DihedralRange before = dihedrals(shop.mesh);
   const double polish = shape_of_angle(kPolishAngle);
-  const double chased = shape_of_angle(std::max(kChaseAngle, options.target_dihedral));
   collapse_short_edges(shop);
-  raise_mean(shop, polish, observer);
-  collapse_for_mean(shop, polish);
-  raise_mean(shop, polish, observer);
-  improve_worst_first(shop, std::max(polish, chased), Effort::kPolish, observer);
-  chase(shop, chased, polish, observer);
-  raise_mean(shop, polish, observer);
+  if (options.worst_only) {
+    const double target = shape_of_angle(options.target_dihedral);
+    improve_worst_first(shop, target, Effort::kPolish, observer);
+    chase(shop, target, polish, observer);
+  } else {
+    const double chased = shape_of_angle(std::max(kChaseAngle, options.target_dihedral));
+    raise_mean(shop, polish, observer);
+    collapse_for_mean(shop, polish);
+    raise_mean(shop, polish, observer);
+    improve_worst_first(shop, std::max(polish, chased), Effort::kPolish, observer);
+    chase(shop, chased, polish, observer);
+    raise_mean(shop, polish, observer);
+  }
   shop.report.min_dihedral_before = before.smallest;
   const DihedralRange after = dihedrals(shop.mesh);
   if (after.smallest < before.smallest) {

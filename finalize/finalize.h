@@ -20,6 +20,8 @@ struct FinalizeOptions {
       0.35;  ///< edges shorter than this share of the local size are collapsed where the model allows
   double max_seconds =
       0.0;  ///< 0: the built-in work budget only (deterministic; counts of operations, not time)
+  /// Works on the elements below `target_dihedral` alone: a third of the time, and good ones are not made better.
+  bool worst_only = false;
   /// The first so many vertices stay where they are and keep their numbers: tetrahedra that are not given
   /// here hold on to them, beyond faces that have one tetrahedron and are no triangles.
   std::size_t fixed_vertices = 0;

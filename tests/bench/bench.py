@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Speed and memory of whole runs, from the STEP file to the written mesh.
 
-    tests/bench/bench.py compare [PART...] [--tets 1e5,1e6] [--pairs 5] [--threads 1] [--rivals hxt,gmsh]
-    tests/bench/bench.py growth  [PART...] [--tets 1e4,1e5,1e6] [--threads 1]
+    tests/bench/bench.py compare [PART...] [--tets 1e5,1e6] [--pairs 5] [--threads 1] [--rivals hxt,gmsh] [--fast]
+    tests/bench/bench.py growth  [PART...] [--tets 1e4,1e5,1e6] [--threads 1] [--fast]
     tests/bench/bench.py writing [PART]    [--tets 1e6]
 
 compare: Octet and Debian's programs `gmsh -3 -algo hxt` and `gmsh -3` (apt-get install gmsh), each at its own size
@@ -50,14 +50,15 @@ class Run:
 class Octet:
     name = "octet"
 
-    def __init__(self, work, threads):
+    def __init__(self, work, threads, fast):
         self.mesh = os.path.join(work, "octet.msh")
         self.report = os.path.join(work, "octet.json")
         self.threads = threads
+        self.fast = ["--fast"] if fast else []
 
     def run(self, part, size):
         run = Run([OCTET, "mesh", part, "-o", self.mesh, "--size", repr(size), "--threads", str(self.threads),
-                   "--max-elements", "1000000000", "--quiet", "--report", self.report])
+                   "--max-elements", "1000000000", "--quiet", "--report", self.report, *self.fast])
         if run.code not in (0, 3):
             sys.exit(f"octet failed on {part} at size {size} (exit code {run.code})")
         with open(self.report) as file:
@@ -107,7 +108,7 @@ def median_ratio(pairs, value):
 
 
 def compare(options, work):
-    octet = Octet(work, options.threads)
+    octet = Octet(work, options.threads, options.fast)
     rivals = [Gmsh(work, options.threads, name == "hxt") for name in options.rivals.split(",")]
     print(f"{'part':16} {'rival':5} {'tets':>9} {'its':>9} {'cpu s':>7} {'its':>7} | {'cpu':>5} {'wall':>5} {'memory':>6}"
           " | least, 1st percentile of the smallest dihedral; mean ratio: octet / rival")
@@ -139,7 +140,7 @@ def exponent(points):
 
 
 def growth(options, work):
-    octet = Octet(work, options.threads)
+    octet = Octet(work, options.threads, options.fast)
     for part in options.parts:
         print(f"{os.path.basename(part)}, {options.threads} threads")
         runs = []
@@ -159,7 +160,7 @@ def growth(options, work):
 
 
 def writing(options, work):
-    octet = Octet(work, options.threads)
+    octet = Octet(work, options.threads, options.fast)
     for tets in options.tets:
         part = options.parts[0]
         octet.run(part, first_size(part, 1.15 * tets))
@@ -184,7 +185,8 @@ def main():
     parser.add_argument("--pairs", default=5, type=int)
     parser.add_argument("--threads", default=1, type=int)
     parser.add_argument("--rivals", default="hxt")
-    options = parser.parse_args()
+    parser.add_argument("--fast", action="store_true", help="octet mesh --fast")
+    options = parser.parse_intermixed_args()
     options.tets = [int(float(n)) for n in options.tets.split(",")]
     if not os.access(OCTET, os.X_OK):
         sys.exit(f"{OCTET} is not built: scripts/quickstart builds it")

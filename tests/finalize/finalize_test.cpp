@@ -46,6 +46,26 @@ TEST(Finalize, BringsAJitteredBoxWithFlatTetrahedraToTwentyDegreesAndKeepsItsVol
   EXPECT_NEAR(testing::total_volume(part.mesh), 0.96, 1e-12);
 }
 
+TEST(Finalize, WorstOnlyReachesTheTargetAndLeavesGoodElementsAlone) {
+  Part part = testing::box_part({1, 1.2, 0.8}, 8, 8, 7, true);
+  testing::Dice dice(11);
+  testing::jitter(part.mesh, part.model, 0.09, dice);
+  const Mesh jittered = part.mesh;
+  FinalizeOptions options = testing::options_of_size(0.13);
+  options.worst_only = true;
+  Observer observer;
+  const FinalizeReport report = finalize(part.mesh, part.model, options, observer);
+  EXPECT_EQ(faults_of(part.mesh, part.model, testing::face_euler(jittered, part.model.count(2))), "");
+  EXPECT_LT(report.min_dihedral_before, 18.0 * kDegree);
+  EXPECT_GE(report.min_dihedral_after, 20.0 * kDegree);
+  Mesh whole = jittered;
+  options.worst_only = false;
+  const FinalizeReport full = finalize(whole, part.model, options, observer);
+  EXPECT_LT(report.smoothed + report.edge_removals + report.face_swaps,
+            (full.smoothed + full.edge_removals + full.face_swaps) / 2);
+  EXPECT_GT(quality_summary(whole).mean_mean_ratio, quality_summary(part.mesh).mean_mean_ratio);
+}
+
 /// Numbers the vertices anew: those for which first(v) holds come first. Returns how many they are.
 std::size_t put_first(Mesh& mesh, const std::vector<char>& first) {
   std::vector<Mesh::Index> order;
