@@ -57,7 +57,7 @@ TEST(Finalize, WorstOnlyReachesTheTargetAndLeavesGoodElementsAlone) {
   const FinalizeReport report = finalize(part.mesh, part.model, options, observer);
   EXPECT_EQ(faults_of(part.mesh, part.model, testing::face_euler(jittered, part.model.count(2))), "");
   EXPECT_LT(report.min_dihedral_before, 18.0 * kDegree);
-  EXPECT_GE(report.min_dihedral_after, 20.0 * kDegree);
+  EXPECT_GE(report.min_dihedral_after, options.target_dihedral);
   Mesh whole = jittered;
   options.worst_only = false;
   const FinalizeReport full = finalize(whole, part.model, options, observer);
