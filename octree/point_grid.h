@@ -2,6 +2,7 @@
 // Points in hash cells whose length follows the local spacing: neighbours within about one spacing.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <unordered_map>
@@ -11,34 +12,38 @@
 
 namespace octet {
 
-/// Cost: a look-up visits the few cells of each level that holds points of comparable spacing.
+/// Cells that hold points know their parents, so that a look-up descends only to where points are.
+///
+/// Cost: a look-up visits the cells that meet its box and hold points, and their parents.
 class PointGrid {
  public:
   /// `unit` is the length of cells of level 0 (the root's length).
   PointGrid(const Vec3& origin, double unit) : origin_(origin), unit_(unit) {}
 
   void add(std::uint32_t point, const Vec3& at, double spacing) {
-    const int level = level_of(2.0 * spacing);
-    cells_[key(level, cell(at, level))].push_back({point, at});
+    int level = level_of(2.0 * spacing);
+    Index c = cell(at, level);
     used_ |= std::uint64_t{1} << level;
+    cells_[key(level, c)].push_back({point, at});
+    while (level-- > 0) {
+      c = {c.x >> 1, c.y >> 1, c.z >> 1};
+      if (!cells_.try_emplace(key(level, c)).second) break;  // its parents are there
+    }
   }
 
-  /// Calls visit(point, squared distance) for every point closer to `at` than r; stops when it returns true.
+  /// Calls visit(point, squared distance) for every point closer to `at` than r, in no particular order;
+  /// stops when it returns true.
   template <class Visit>
   bool any_within(const Vec3& at, double r, const Visit& visit) const {
-    for (int level = 0; level < kLevels; ++level) {
-      if (!(used_ >> level & 1)) continue;
-      const Index lo = cell(at - Vec3::Constant(r), level), hi = cell(at + Vec3::Constant(r), level);
+    const int start = level_of(2.0 * r);
+    const Query<Visit> query{at, at - Vec3::Constant(r), at + Vec3::Constant(r), r * r, visit};
+    for (int level = 0; level <= start; ++level) {
+      if (level < start && !(used_ >> level & 1)) continue;
+      const Index lo = cell(query.lo, level), hi = cell(query.hi, level);
       for (std::int64_t i = lo.x; i <= hi.x; ++i)
         for (std::int64_t j = lo.y; j <= hi.y; ++j)
-          for (std::int64_t k = lo.z; k <= hi.z; ++k) {
-            const auto found = cells_.find(key(level, {i, j, k}));
-            if (found == cells_.end()) continue;
-            for (const Entry& e : found->second) {
-              const double d = (e.at - at).squaredNorm();
-              if (d < r * r && visit(e.point, d)) return true;
-            }
-          }
+          for (std::int64_t k = lo.z; k <= hi.z; ++k)
+            if (visit_cell(query, level, {i, j, k}, level == start)) return true;
     }
     return false;
   }
@@ -52,6 +57,31 @@ class PointGrid {
   struct Index {
     std::int64_t x, y, z;
   };
+
+  template <class Visit>
+  struct Query {
+    Vec3 at, lo, hi;
+    double squared;
+    const Visit& visit;
+  };
+
+  /// The points of one cell and, when `descend`, of all cells in it.
+  template <class Visit>
+  bool visit_cell(const Query<Visit>& query, int level, const Index& c, bool descend) const {
+    const auto found = cells_.find(key(level, c));
+    if (found == cells_.end()) return false;
+    for (const Entry& e : found->second) {
+      const double d = (e.at - query.at).squaredNorm();
+      if (d < query.squared && query.visit(e.point, d)) return true;
+    }
+    if (!descend || used_ >> level <= 1) return false;
+    const Index lo = cell(query.lo, level + 1), hi = cell(query.hi, level + 1);
+    for (std::int64_t i = std::max(lo.x, 2 * c.x); i <= std::min(hi.x, 2 * c.x + 1); ++i)
+      for (std::int64_t j = std::max(lo.y, 2 * c.y); j <= std::min(hi.y, 2 * c.y + 1); ++j)
+        for (std::int64_t k = std::max(lo.z, 2 * c.z); k <= std::min(hi.z, 2 * c.z + 1); ++k)
+          if (visit_cell(query, level + 1, {i, j, k}, true)) return true;
+    return false;
+  }
 
   [[nodiscard]] int level_of(double length) const {
     int level = 0;
