@@ -26,8 +26,8 @@ std::vector<int> lead_regions(const Model& model) {
       for (const int v : model.face(f).vertices) {
         int& first = region_of_vertex[static_cast<std::size_t>(v)];
         if (first == 0) first = r;
-        const auto [low, high] = std::minmax(root(first), root(r));
-        lead[static_cast<std::size_t>(high)] = low;
+        const int a = root(first), b = root(r);
+        lead[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
       }
     }
   for (std::size_t r = 1; r < lead.size(); ++r) lead[r] = root(lead[r]);

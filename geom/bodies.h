@@ -17,8 +17,8 @@ struct Body {
 };
 
 /// By the lowest tag of their regions. Bodies may touch, or fill the same place, without sharing anything.
-/// Faces that bound nothing (the same region, or none, on both sides) are in no body. Exact geometry is shared with the whole. Cost: that of making the
-/// models.
+/// Faces that bound nothing (the same region, or none, on both sides) are in no body. Exact geometry is
+/// shared with the whole. Cost: that of making the models.
 [[nodiscard]] std::vector<Body> take_apart(const Model& model);
 
 }  // namespace octet
