@@ -93,7 +93,9 @@ class AttributeLoop {
 
   void close(const Gap& gap) {
     if (gap.piece != UINT32_MAX) {
-      if (!is_split(gap) && !(gap.kind == GapKind::kEdgeFan && close_beside(gap.piece))) split(gap.piece);
+      if (is_split(gap)) return;
+      if (gap.kind == GapKind::kMissingPiece || (!close_beside(gap.piece) && is_distinct(gap.piece)))
+        split(gap.piece);
       return;
     }
     if (gap.kind == GapKind::kBareVertex) {
@@ -131,6 +133,13 @@ class AttributeLoop {
     }
     if (best) insert_on_face(*best, at);
     return best.has_value();
+  }
+
+  /// Whether the CAD tells the halves of a piece apart: splitting on below its tolerance mends no fan.
+  [[nodiscard]] bool is_distinct(std::uint32_t piece) const {
+    const EdgePiece& p = chains_[piece];
+    const double length = (mesh().points[VertexId(p.a)] - mesh().points[VertexId(p.b)]).norm();
+    return length > 4.0 * model_.tolerance_of(model_edge(p.edge));
   }
 
   /// Whether another gap of this round has split the piece already.

@@ -11,6 +11,7 @@
 
 #include "app/apart.h"
 #include "app/attempt.h"
+#include "app/leave_out.h"
 #include "app/measures.h"
 #include "app/mesh_part.h"
 #include "app/octant_sizes.h"
@@ -105,15 +106,19 @@ class Run {
       auto next = attempt(std::move(tree));
       result_.report.attribute_points += next->closed.points;
       result_.report.rounds += next->closed.rounds;
-      if (!band_ || next->closed.gaps.size() < band_->closed.gaps.size()) band_ = std::move(next);
-      if (band_->closed.gaps.empty() || depth == kSubdivisions) break;
+      const bool better = !band_ || next->closed.gaps.size() < band_->closed.gaps.size();
+      if (better) band_ = std::move(next);
+      if (band_->closed.gaps.empty() || !better || depth == kSubdivisions) break;
       std::optional<Octree> finer = subdivide_at_gaps(*band_, 0.5 * finest_octant());
       if (!finer) break;
       observer_.note(fmt::format("{} gaps left: their octants subdivided, {} octants now",
                                  band_->closed.gaps.size(), finer->size()));
       tree = std::move(*finer);
     }
-    for (const Gap& gap : band_->closed.gaps) result_.report.faults.push_back(describe_gap(model_, gap));
+    broken_ = broken_regions(*band_, model_);
+    auto& faults = result_.report.faults;
+    faults = describe_left_out(*band_, model_, broken_);
+    for (const Gap& gap : band_->closed.gaps) faults.push_back(describe_gap(model_, gap));
   }
 
   [[nodiscard]] double finest_octant() const { return plan_.min_size / kEdgePerOctant; }
@@ -153,6 +158,7 @@ class Run {
 
   void extract() {
     begin("extraction", 0.6);
+    if (!broken_.empty()) leave_out_octants(*band_, broken_);
     const TetMesh& tets = band_->triangulation.mesh();
     std::vector<Vec3> points = tets.points.values();
     std::vector<ModelRef> on = band_->on;
@@ -161,6 +167,7 @@ class Run {
     fixed_vertices_ = near.first.size();
     result_.mesh = extract_mesh(*band_->band, tets, points, on, *band_->chains, near);
     band_->forget_band();
+    if (!broken_.empty()) leave_out(result_.mesh, model_, broken_);
     dump("classified");
   }
 
@@ -174,7 +181,7 @@ class Run {
 
   /// Deep octants have good shapes already, and are appended only after the others have been worked on.
   void improve() {
-    if (!options_.finalize || !result_.report.faults.empty()) return;
+    if (!options_.finalize || (!result_.report.faults.empty() && broken_.empty())) return;
     begin("finalization", 0.65);
     FinalizeOptions finalize_options;
     finalize_options.worst_only = options_.fast;
@@ -219,6 +226,7 @@ class Run {
   std::size_t fixed_vertices_ = 0;  ///< the first vertices of the mesh, which the deep interior shares
   std::size_t stage_ = std::numeric_limits<std::size_t>::max();  ///< index of the running stage's time
   std::unique_ptr<Attempt> band_;
+  std::vector<int> broken_;  ///< regions left out
 };
 
 bool has_faces_that_bound_nothing(const Model& model) {

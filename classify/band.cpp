@@ -280,11 +280,12 @@ int Band::classify_facet(const TetMesh& mesh, std::span<const ModelRef> on, cons
     for (auto& [distance, f] : fitting) distance = model_->face_closest(f, centre).distance;
   std::sort(fitting.begin(), fitting.end());
   for (const auto& [distance, f] : fitting)
-    if (fits(mesh, facet, f, region_front)) return f;
+    if (fits(mesh, on, facet, f, region_front)) return f;
   return 0;
 }
 
-bool Band::fits(const TetMesh& mesh, const BoundaryFacet& facet, int face, int region_front) const {
+bool Band::fits(const TetMesh& mesh, std::span<const ModelRef> on, const BoundaryFacet& facet, int face,
+                int region_front) const {
   const Vec3 a = mesh.points[facet.v[0]], b = mesh.points[facet.v[1]], c = mesh.points[facet.v[2]];
   const Vec3 centre = (a + b + c) / 3.0;
   Vec3 normal = (b - a).cross(c - a);
@@ -292,9 +293,14 @@ bool Band::fits(const TetMesh& mesh, const BoundaryFacet& facet, int face, int r
   const double ab = (b - a).norm(), bc = (c - b).norm(), ca = (a - c).norm();
   const double longest = std::max({ab, bc, ca});
   const FaceFoot foot = model_->face_project(face, centre);
-  if (!foot.converged || (foot.point - centre).norm() > kDistance * (ab + bc + ca) / 3.0) return false;
-  // A needle of coplanar points has no normal worth asking for; its neighbours decide.
-  if (twice_area < 1e-6 * longest * longest) return true;
+  // The CAD itself knows its edges and vertices no better than this.
+  double slack = 0.0;
+  for (const VertexId v : facet.v) slack = std::max(slack, 2.0 * model_->tolerance_of(on[v.index()]));
+  if (!foot.converged || (foot.point - centre).norm() > kDistance * (ab + bc + ca) / 3.0 + slack)
+    return false;
+  // A needle of coplanar points, or one as thin as the CAD is vague, has no normal worth asking for; its
+  // neighbours decide.
+  if (twice_area < longest * std::max(1e-6 * longest, slack)) return true;
   if (model_->face(face).region[1] != region_front) normal = -normal;
   return normal.dot(foot.normal) >= kNormal * twice_area;
 }

@@ -94,7 +94,8 @@ class Band {
   void label_flat(const TetMesh& mesh, const std::vector<TetId>& flat);
   [[nodiscard]] int classify_facet(const TetMesh& mesh, std::span<const ModelRef> on,
                                    const BoundaryFacet& facet, int region_behind, int region_front) const;
-  [[nodiscard]] bool fits(const TetMesh& mesh, const BoundaryFacet& facet, int face, int region_front) const;
+  [[nodiscard]] bool fits(const TetMesh& mesh, std::span<const ModelRef> on, const BoundaryFacet& facet,
+                          int face, int region_front) const;
   [[nodiscard]] const std::vector<int>& faces_of(ModelRef on) const;
   [[nodiscard]] bool share_a_face(ModelRef a, ModelRef b) const;
   [[nodiscard]] Vec3 place_of(const TetMesh& mesh, std::span<const ModelRef> on, TetId t,

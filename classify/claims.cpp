@@ -151,11 +151,7 @@ double ClaimInput::longest_side(const std::array<Mesh::Index, 3>& t) const {
 }
 
 double ClaimInput::allowed_distance(ModelRef entity) const {
-  double own = 0.0;
-  if (entity.dim == 0) own = model.vertex(entity.tag).tolerance;
-  if (entity.dim == 1) own = model.edge(entity.tag).tolerance;
-  if (entity.dim == 2) own = model.face(entity.tag).tolerance;
-  return std::max(own, node_tolerance);
+  return std::max(model.tolerance_of(entity), node_tolerance);
 }
 
 std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t i) {

@@ -207,6 +207,11 @@ Claim claim_face_orientation(const ClaimInput& in) {
     const Vec3& normal = in.triangle_foot[t].normal;
     const Vec3 own = in.cross(in.mesh.triangles[t]);
     if (normal.isZero()) continue;  // a pole or an apex: no normal to compare with
+    // A triangle as thin as the CAD is vague about its corners has no side of its own.
+    double vague = 0.0;
+    for (const Mesh::Index v : in.mesh.triangles[t])
+      vague = std::max(vague, in.model.tolerance_of(in.mesh.point_on[v]));
+    if (own.norm() < 2.0 * vague * in.longest_side(in.mesh.triangles[t])) continue;
     const double angle = std::atan2(own.cross(normal).norm(), own.dot(normal));
     worst = std::max(worst, angle);
     if (angle < limit) continue;

@@ -292,8 +292,8 @@ AttributePoint split_point(const Model& model, const TetMesh& mesh, std::span<co
 
 namespace {
 
-/// Adds what parts the circumcentre of a tetrahedron from its octree vertices: a thin sheet without points lets
-/// a tetrahedron reach through it from the far side.
+/// Adds what parts the circumcentre of a tetrahedron from its octree vertices: a thin sheet without points
+/// lets a tetrahedron reach through it from the far side.
 void meet_towards_octree_vertices(const Model& model, const TetMesh& mesh, std::span<const ModelRef> on,
                                   TetId tet, std::vector<Hit>& hits) {
   if (mesh.ghost(tet)) return;
@@ -326,12 +326,17 @@ std::optional<AttributePoint> facet_point(const Model& model, const TetMesh& mes
   meet_towards_octree_vertices(model, mesh, on, tet, hits);
   meet_towards_octree_vertices(model, mesh, on, mesh.neighbours[tet][local], hits);
   std::optional<AttributePoint> best;
-  const auto offer = [&](const Vec3& p, ModelRef on, const Vec3& n) {
+  const auto offer = [&](const Vec3& p, ModelRef entity, const Vec3& n) {
     double clearance = std::numeric_limits<double>::infinity();
-    for (const Vec3& corner : x) clearance = std::min(clearance, (p - corner).norm());
+    for (int i = 0; i < 3; ++i) {
+      const double distance = (p - x[i]).norm();
+      // What the CAD cannot tell apart is one place.
+      if (distance < 2.0 * model.tolerance_of(on[v[kTetFace[local][i]].index()])) return;
+      clearance = std::min(clearance, distance);
+    }
     if (clearance < floor || (best && clearance <= best->clearance)) return;
-    best = AttributePoint{p, on, 0.0, n, clearance};
-    if (on.dim == 1) best->t = model.edge_closest(on.tag, p).t;
+    best = AttributePoint{p, entity, 0.0, n, clearance};
+    if (entity.dim == 1) best->t = model.edge_closest(entity.tag, p).t;
   };
   for (const Hit& hit : hits)
     if (hit.on.dim >= 1) offer(hit.point, hit.on, hit.normal);

@@ -139,6 +139,18 @@ std::string Model::describe(ModelRef entity) const {
 const Box3& Model::box() const { return data_->box; }
 double Model::diagonal() const { return data_->diagonal; }
 double Model::tolerance() const { return data_->tolerance; }
+double Model::tolerance_of(ModelRef entity) const {
+  switch (entity.dim) {
+    case 0:
+      return vertex(entity.tag).tolerance;
+    case 1:
+      return edge(entity.tag).tolerance;
+    case 2:
+      return face(entity.tag).tolerance;
+    default:
+      return 0.0;
+  }
+}
 const Facets& Model::facets() const { return data_->parts.facets; }
 const FacetBvh& Model::bvh() const { return data_->bvh; }
 const Surface& Model::surface(int face_tag) const { return *tagged(data_->parts.surfaces, face_tag); }

@@ -153,6 +153,8 @@ class Model {
   [[nodiscard]] const Box3& box() const;  ///< tight, of the facets grown by their deviation
   [[nodiscard]] double diagonal() const;
   [[nodiscard]] double tolerance() const;  ///< tauM: the arithmetic floor, 16e-12 of the diagonal
+  /// How well the CAD knows an entity's place: its own tolerance; 0 for a region.
+  [[nodiscard]] double tolerance_of(ModelRef entity) const;
 
   // --- edges ----------------------------------------------------------------------------------------------
   [[nodiscard]] Vec3 edge_point(int tag, double t) const;

@@ -2,10 +2,12 @@
 // Thin, sharp, touching and crowded parts come out complete, however they are turned.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <tuple>
 
 #include "app/mesh_part.h"
 #include "geom/occt/from_shape.h"
+#include "geom/occt/read_part.h"
 #include "octree/octree.h"
 #include "tests/support/families.h"
 
@@ -27,6 +29,22 @@ TEST_P(Families, AreComplete) {
     ADD_FAILURE() << model.describe(fault.entity) << " at " << fault.place.transpose() << ": " << fault.cause;
   EXPECT_EQ(result.report.status, MeshStatus::kComplete);
   EXPECT_GT(result.report.tets, 0u);
+}
+
+TEST(Bugs, PartsThatOnceFailedAreComplete) {
+  int parts = 0;
+  for (const auto& file : std::filesystem::directory_iterator(OCTET_MODELS "/bugs")) {
+    const Model model = read_part(file.path());
+    MeshOptions options;
+    options.size = kEdgePerOctant;
+    options.wall_elements = 0.0;
+    const MeshResult result = mesh_part(model, options);
+    EXPECT_EQ(result.report.status, MeshStatus::kComplete) << file.path();
+    EXPECT_TRUE(result.report.faults.empty()) << file.path();
+    EXPECT_LT(result.report.attribute_points, 600u) << file.path();  // thousands when they ran away
+    ++parts;
+  }
+  EXPECT_GE(parts, 3);
 }
 
 INSTANTIATE_TEST_SUITE_P(AllTurns, Families,

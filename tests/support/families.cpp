@@ -79,6 +79,14 @@ TopoDS_Shape sunk_rod(double depth) {
   return fuse(box(0, 0, 0, 6, 5, 1), rod({1, 2.5, 2.5 - depth}, gp::DX(), 1.5, 4));
 }
 
+/// A roof over a rod, 0.003 from its crown, that ends just beyond it: an edge over a face that it does not
+/// bound.
+TopoDS_Shape roof_over_rod() {
+  const TopoDS_Shape stand = fuse(box(0, 0, 0, 3, 4, 0.5), box(0, 3.2, 0, 3, 0.8, 3));
+  const TopoDS_Shape roof = fuse(stand, box(0, 1.2, 2.503, 3, 2.8, 0.497));
+  return fuse(roof, rod({0, 1.5, 1.4}, gp::DX(), 1.1, 3));
+}
+
 /// A rod with a hole along it whose wall is `wall` thick at its thinnest.
 TopoDS_Shape eccentric_hole(double wall) {
   return cut(rod({0, 0, 0}, gp::DZ(), 2, 3), rod({1 - wall, 0, -1}, gp::DZ(), 1, 5));
@@ -158,6 +166,7 @@ std::vector<FamilyPart> family_parts() {
   add("hollow_ball_0_01", [] { return cut(ball(0, 3), ball(0, 2.99)); });
   add("sunk_rod_0_01", [] { return sunk_rod(0.01); });
   add("cusp_1_4", [] { return sunk_rod(1.5 * (1.0 - std::cos(1.4 * kDegree))); });
+  add("roof_over_rod", [] { return roof_over_rod(); });
   add("eccentric_hole_0_01", [] { return eccentric_hole(0.01); });
   add("tangent_rods", [] {
     return side_by_side(rod({0, 0, 0}, gp::DZ(), 1.5, 3), rod({3, 0, 0}, gp::DZ(), 1.5, 3));
