@@ -3,7 +3,7 @@
 """Asks the geometry of every part of a folder, the fast way and slowly, and prints one table.
 
     tests/interrogate.py FOLDER|FILE... [--program build/tests/geom/occt/octet_interrogate] [--limit 120]
-                         [--segments 20000] [--points 1000] [--match WORD]
+                         [--segments 20000] [--points 1000] [--match WORD] [--manifest TSV --difficulty .. --kind ..]
 
 Segments: Model::intersect against every surface asked without facets. Points: Model::region_at against OCCT's
 solid classifier. The exit code is 0 when nothing was missed and nothing extra; differences to the classifier
@@ -15,7 +15,7 @@ import os
 import subprocess
 import sys
 
-SUFFIXES = (".step", ".stp", ".iges", ".igs", ".brep", ".brp")
+from corpus import chosen_parts
 
 
 def arguments():
@@ -25,18 +25,11 @@ def arguments():
     parser.add_argument("--limit", type=float, default=120.0, help="seconds a part may take")
     parser.add_argument("--segments", type=int, default=20000)
     parser.add_argument("--points", type=int, default=1000)
+    parser.add_argument("--manifest", help="TSV with the columns name, difficulty, kind")
+    parser.add_argument("--difficulty", help="comma separated; only these rows of the manifest")
+    parser.add_argument("--kind", help="comma separated; only these rows of the manifest")
     parser.add_argument("--match", help="only files whose name holds this")
     return parser.parse_args()
-
-
-def chosen_parts(args):
-    files = []
-    for part in args.parts:
-        if os.path.isdir(part):
-            files += [os.path.join(part, n) for n in sorted(os.listdir(part)) if n.lower().endswith(SUFFIXES)]
-        else:
-            files.append(part)
-    return [f for f in files if not args.match or args.match in os.path.basename(f)]
 
 
 def ask(path, args):

@@ -15,17 +15,10 @@
 #include <TopoDS_Compound.hxx>
 
 #include "base/error.h"
+#include "compound_of.h"
 
 namespace octet {
 namespace {
-
-TopoDS_Compound compound_of(const std::vector<TopoDS_Shape>& shapes) {
-  TopoDS_Compound all;
-  BRep_Builder builder;
-  builder.MakeCompound(all);
-  for (const TopoDS_Shape& shape : shapes) builder.Add(all, shape);
-  return all;
-}
 
 std::vector<TopoDS_Shape> parts_of(const TopoDS_Shape& shape, TopAbs_ShapeEnum type) {
   std::vector<TopoDS_Shape> parts;

@@ -12,6 +12,7 @@
 
 #include "lattice_segments.h"
 #include "part_and_shape.h"
+#include "slow_reference.h"
 
 namespace octet::test {
 namespace {
@@ -25,19 +26,6 @@ struct Limits {
 };
 
 Json place(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
-
-/// Roots of a segment with every face, by surfaces and loops alone.
-std::vector<double> reference(const Model& model, const Vec3& p, const Vec3& q) {
-  std::vector<double> all;
-  std::vector<SurfaceRoot> roots;
-  for (int tag = 1; tag <= model.count(2); ++tag) {
-    roots.clear();
-    model.surface(tag).intersect(p, q, {}, roots);
-    for (const SurfaceRoot& root : roots)
-      if (model.face_side(tag, root.uv) != TrimSide::kOut) all.push_back(root.t);
-  }
-  return all;
-}
 
 /// Of a vertex and the edges that end in it: the gap around an event there.
 double tolerance_of(const Model& model, ModelRef on) {
@@ -63,7 +51,7 @@ Json compare_segments(const Model& model, const Limits& limits) {
     hits.clear();
     model.intersect(p, q, hits);
     hits_seen += static_cast<int>(hits.size());
-    const std::vector<double> expected = reference(model, p, q);
+    const std::vector<double> expected = events_without_facets(model, p, q);
     const double near = 1e-6 * model.diagonal();
     const auto reach = [&](const Hit& hit) { return near + 4.0 * tolerance_of(model, hit.on); };
     const double length = (q - p).norm();

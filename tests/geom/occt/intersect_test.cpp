@@ -6,21 +6,10 @@
 
 #include "lattice_segments.h"
 #include "sample_parts.h"
+#include "slow_reference.h"
 
 namespace octet::test {
 namespace {
-
-std::vector<double> reference(const Model& model, const Vec3& p, const Vec3& q) {
-  std::vector<double> all;
-  std::vector<SurfaceRoot> roots;
-  for (int tag = 1; tag <= model.count(2); ++tag) {
-    roots.clear();
-    model.surface(tag).intersect(p, q, {}, roots);
-    for (const SurfaceRoot& root : roots)
-      if (model.face_side(tag, root.uv) != TrimSide::kOut) all.push_back(root.t);
-  }
-  return all;
-}
 
 class Intersect : public ::testing::TestWithParam<const char*> {};
 
@@ -34,7 +23,7 @@ TEST_P(Intersect, FindsWhatEverySurfaceFindsWithoutFacets) {
     const auto [p, q] = segments.next();
     hits.clear();
     model.intersect(p, q, hits);
-    const std::vector<double> expected = reference(model, p, q);
+    const std::vector<double> expected = events_without_facets(model, p, q);
     hits_seen += static_cast<int>(hits.size());
     const double near = 1e-6 * model.diagonal() / (q - p).norm();
     for (const double t : expected)

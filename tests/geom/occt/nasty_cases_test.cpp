@@ -32,6 +32,7 @@
 #include <numbers>
 
 #include "base/error.h"
+#include "compound_of.h"
 #include "variants.h"
 
 namespace octet::test {
@@ -54,14 +55,6 @@ TopoDS_Shape turned(const TopoDS_Shape& shape, const gp_Dir& axis, double angle)
 TopoDS_Shape box(double x, double y, double z) { return BRepPrimAPI_MakeBox(x, y, z).Shape(); }
 TopoDS_Shape cylinder(double r, double h) { return BRepPrimAPI_MakeCylinder(r, h).Shape(); }
 TopoDS_Shape cut(const TopoDS_Shape& a, const TopoDS_Shape& b) { return BRepAlgoAPI_Cut(a, b).Shape(); }
-
-TopoDS_Compound compound_of(const std::vector<TopoDS_Shape>& shapes) {
-  TopoDS_Compound all;
-  BRep_Builder builder;
-  builder.MakeCompound(all);
-  for (const TopoDS_Shape& shape : shapes) builder.Add(all, shape);
-  return all;
-}
 
 /// The circle (or segment of one) about (major, 0, 0) in the plane y = 0, turned about z.
 TopoDS_Shape turned_arc(double major, double minor, double from, double to) {
