@@ -271,33 +271,13 @@ FacetFoot FacetBvh::foot(const Item& item, const Vec3& p) {
   return near;
 }
 
-bool FacetBvh::meets(const Box3& box) const {
-  if (root_ < 0) return false;
-  const Vec3 centre = box.centre(), half = 0.5 * box.size();
-  Stack stack;
-  stack.push(root_);
-  while (stack.size > 0) {
-    const Node& node = nodes_[stack.pop()];
-    bool apart = false;
-    for (int k = 0; k < 3; ++k) apart |= node.lo[k] > box.hi[k] || node.hi[k] < box.lo[k];
-    if (apart) continue;
-    if (node.second >= 0) {
-      stack.push(node.second);
-      stack.push(node.first);
-      continue;
-    }
-    for (std::int32_t i = node.first; i < node.first - node.second; ++i) {
-      const Item& item = items_[i];
-      Box3 own;
-      own.add(item.a);
-      own.add(item.b);
-      own.add(item.c);
-      const double reach = item.normal.cwiseAbs().dot(half) + item.grow;
-      if (own.grown(item.grow).overlaps(box) && std::abs(item.normal.dot(centre - item.a)) <= reach)
-        return true;
-    }
-  }
-  return false;
+bool FacetBvh::box_meets(const Item& item, const Box3& box) {
+  Box3 own;
+  own.add(item.a);
+  own.add(item.b);
+  own.add(item.c);
+  const double reach = item.normal.cwiseAbs().dot(0.5 * box.size()) + item.grow;
+  return own.grown(item.grow).overlaps(box) && std::abs(item.normal.dot(box.centre() - item.a)) <= reach;
 }
 
 }  // namespace octet

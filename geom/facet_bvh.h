@@ -43,8 +43,14 @@ class FacetBvh {
   /// Calls visit(foot) for each triangle within `radius` plus its growth; `face` 0 means all.
   template <class Visit>
   void visit_within(const Vec3& p, double radius, int face, const Visit& visit) const;
+  /// Whether accept(triangle) for one of the triangles whose grown box and grown plane meet the box; none is
+  /// asked after that.
+  template <class Accept>
+  bool any_in_box(const Box3& box, const Accept& accept) const;
   /// Whether a triangle's grown box and grown plane meet the box.
-  [[nodiscard]] bool meets(const Box3& box) const;
+  [[nodiscard]] bool meets(const Box3& box) const {
+    return any_in_box(box, [](std::uint32_t) { return true; });
+  }
   /// Nearest triangle of the face (0: of all), none when farther than `max_distance`. Ties: the lowest
   /// triangle, up to rounding.
   [[nodiscard]] std::optional<FacetFoot> nearest(const Vec3& p, double max_distance, int face = 0) const {
@@ -84,6 +90,7 @@ class FacetBvh {
   [[nodiscard]] std::int32_t root_of(int face) const { return face == 0 ? root_ : face_root_[face]; }
   [[nodiscard]] static bool segment_meets(const Node& node, const Vec3& middle, const Vec3& half);
   [[nodiscard]] static bool segment_meets(const Item& item, const Vec3& p, const Vec3& q);
+  [[nodiscard]] static bool box_meets(const Item& item, const Box3& box);
   [[nodiscard]] static double squared_distance(const Node& node, const Vec3& p);
   [[nodiscard]] static FacetFoot foot(const Item& item, const Vec3& p);
 
@@ -112,6 +119,27 @@ void FacetBvh::visit_segment(const Vec3& p, const Vec3& q, const Visit& visit) c
     for (std::int32_t i = node.first; i < node.first - node.second; ++i)
       if (segment_meets(items_[i], p, q)) visit(items_[i].triangle);
   }
+}
+
+template <class Accept>
+bool FacetBvh::any_in_box(const Box3& box, const Accept& accept) const {
+  if (root_ < 0) return false;
+  Stack stack;
+  stack.push(root_);
+  while (stack.size > 0) {
+    const Node& node = nodes_[stack.pop()];
+    bool apart = false;
+    for (int k = 0; k < 3; ++k) apart |= node.lo[k] > box.hi[k] || node.hi[k] < box.lo[k];
+    if (apart) continue;
+    if (node.second >= 0) {
+      stack.push(node.second);
+      stack.push(node.first);
+      continue;
+    }
+    for (std::int32_t i = node.first; i < node.first - node.second; ++i)
+      if (box_meets(items_[i], box) && accept(items_[i].triangle)) return true;
+  }
+  return false;
 }
 
 template <class Visit>

@@ -54,11 +54,12 @@ class WallSizer {
         const std::array<Vec3, 3> corners = facet_corners(facets_, t);
         const Vec3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
         if (!(normal.norm() > 0.0)) continue;
-        probe(corners, {t,
-                        face,
-                        side * normal.normalized(),
-                        n,
-                        {model_face(face), inside ? SizeReason::kWall : SizeReason::kGap}});
+        const Probe from{t,
+                         face,
+                         side * normal.normalized(),
+                         n,
+                         {model_face(face), inside ? SizeReason::kWall : SizeReason::kGap}};
+        if (look_ahead(corners, from)) probe(corners, from, 0);
         if (options_.budget > 0.0 && elements_ > options_.budget) return std::nullopt;
       }
     }
@@ -74,24 +75,65 @@ class WallSizer {
     Wisher who;
   };
 
-  /// Length along the probe's direction to the next sheet, infinite where none faces this one.
-  [[nodiscard]] double thickness(const Vec3& p, const Probe& probe, double reach) const {
-    double nearest = kNoSize;
-    std::uint32_t hit = 0;
-    model_.bvh().visit_segment(p, p + reach * probe.direction, [&](std::uint32_t t) {
-      if (t == probe.facet) return;
-      const double s = along(p, probe.direction, t);
-      if (s < nearest) {
-        nearest = s;
-        hit = t;
+  /// A facet that rays may meet.
+  struct Ahead {
+    std::uint32_t facet;
+    bool is_sheet;  ///< it faces the probe and is of no neighbouring face
+    Box3 box;
+  };
+
+  [[nodiscard]] double reach_of(const Probe& probe) const { return octants_across(probe.n) * options_.size; }
+
+  /// What rays from the triangle sweep, a little larger.
+  [[nodiscard]] Box3 swept(const std::array<Vec3, 3>& corners, const Probe& probe) const {
+    const double reach = reach_of(probe);
+    Box3 box;
+    for (const Vec3& corner : corners) {
+      box.add(corner);
+      box.add(corner + reach * probe.direction);
+    }
+    return box.grown(1e-6 * reach);
+  }
+
+  /// Gathers the facets that rays from the triangle may meet; whether one of them is a sheet.
+  bool look_ahead(const std::array<Vec3, 3>& corners, const Probe& probe) {
+    ahead_.clear();
+    bool any = false;
+    model_.bvh().any_in_box(swept(corners, probe), [&](std::uint32_t t) {
+      const std::array<Vec3, 3> c = facet_corners(facets_, t);
+      Ahead facet{t, is_sheet(c, t, probe), {}};
+      double height = 0.0;
+      for (const Vec3& corner : c) {
+        facet.box.add(corner);
+        height = std::max(height, (corner - corners[0]).dot(probe.direction));
       }
+      if (t == probe.facet || height < 0.5 * model_.tolerance()) return false;
+      ahead_.push_back(facet);
+      any = any || facet.is_sheet;
+      return false;
     });
-    if (!(nearest <= reach)) return kNoSize;
+    return any;
+  }
+
+  [[nodiscard]] bool is_sheet(const std::array<Vec3, 3>& c, std::uint32_t t, const Probe& probe) const {
     const auto& near = neighbours_[static_cast<std::size_t>(probe.face)];
-    if (std::binary_search(near.begin(), near.end(), facets_.face[hit])) return kNoSize;
-    const std::array<Vec3, 3> c = facet_corners(facets_, hit);
+    if (std::binary_search(near.begin(), near.end(), facets_.face[t])) return false;
     const double facing = (c[1] - c[0]).cross(c[2] - c[0]).normalized().dot(probe.direction);
-    return std::abs(facing) > kFacing ? nearest : kNoSize;
+    return std::abs(facing) > kFacing;
+  }
+
+  /// Length along the probe's direction to the next facet ahead from number `first` on, infinite where that
+  /// is no sheet or beyond reach.
+  [[nodiscard]] double thickness(const Vec3& p, const Probe& probe, std::size_t first) const {
+    double nearest = kNoSize;
+    bool is_sheet = false;
+    for (std::size_t n = first; n < ahead_.size(); ++n) {
+      const double s = along(p, probe.direction, ahead_[n].facet);
+      if (s >= nearest) continue;
+      nearest = s;
+      is_sheet = ahead_[n].is_sheet;
+    }
+    return is_sheet && nearest <= reach_of(probe) ? nearest : kNoSize;
   }
 
   /// Length along the ray to a facet, infinite when it is missed or starts there.
@@ -105,11 +147,25 @@ class WallSizer {
     return u >= kRim && v >= kRim && u + v <= 1.0 - kRim && length > model_.tolerance() ? length : kNoSize;
   }
 
-  void probe(const std::array<Vec3, 3>& corners, const Probe& side) {
+  /// The facets ahead of the triangle are among those from number `from` on.
+  void probe(const std::array<Vec3, 3>& corners, const Probe& side, std::size_t from) {
+    const std::size_t first = ahead_.size();
+    const Box3 box = swept(corners, side);
+    bool any = false;
+    for (std::size_t n = from; n < first; ++n) {
+      if (!ahead_[n].box.overlaps(box)) continue;
+      any = any || ahead_[n].is_sheet;
+      ahead_.push_back(Ahead(ahead_[n]));
+    }
+    if (any) halve_or_wish(corners, side, first);
+    ahead_.resize(first);
+  }
+
+  void halve_or_wish(const std::array<Vec3, 3>& corners, const Probe& side, std::size_t first) {
     const auto& [a, b, c] = corners;
     const Vec3 middle = (a + b + c) / 3.0;
     const double across = octants_across(side.n);
-    const double depth = thickness(middle, side, across * options_.size);
+    const double depth = thickness(middle, side, first);
     const double wish = wishes_.floored(depth / (side.n > 1.0 ? across : side.n));
     const std::array<double, 3> length{(c - b).norm(), (a - c).norm(), (b - a).norm()};
     const auto longest =
@@ -118,9 +174,9 @@ class WallSizer {
       const Vec3 &top = corners[longest], &left = corners[(longest + 1) % 3],
                  &right = corners[(longest + 2) % 3];
       const Vec3 half = 0.5 * (left + right);
-      probe({top, left, half}, side);
+      probe({top, left, half}, side, first);
       if (options_.budget > 0.0 && elements_ > options_.budget) return;
-      probe({top, half, right}, side);
+      probe({top, half, right}, side, first);
     } else if (wishes_.counts(wish)) {
       const double area = 0.5 * (b - a).cross(c - a).norm();
       elements_ += kTetsPerCube * area * std::max(0.5 * depth, wish) / (wish * wish * wish);
@@ -142,6 +198,7 @@ class WallSizer {
   WallOptions options_;
   Wishes wishes_;
   std::vector<std::vector<int>> neighbours_;  ///< per face: those that share an edge with it, ascending
+  std::vector<Ahead> ahead_;  ///< what the running probe may meet, then the same for each halving
   double elements_ = 0.0;
 };
 
