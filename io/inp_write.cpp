@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sets and surfaces by model entity: what loads and supports are given on.
+#include "io/inp_write.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "io/msh_entities.h"
+#include "mesh/face_uses.h"
+
+namespace octet {
+namespace {
+
+constexpr std::size_t kBlock = 16384;
+constexpr std::size_t kPerLine = 16;      // the most that a line may hold
+constexpr std::size_t kLongestName = 60;  // of the 80 that Abaqus allows
+constexpr const char* kKind[4] = {"Vertex", "Edge", "Face", "Solid"};
+
+/// The side of a C3D4 by the local number of the vertex that it lacks: S1 is 1-2-3, S2 1-4-2, S3 2-4-3, S4
+/// 3-4-1.
+constexpr int kSideWithout[4] = {3, 4, 2, 1};
+
+char upper_case(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
+
+bool is_letter(char c) { return upper_case(c) >= 'A' && upper_case(c) <= 'Z'; }
+
+/// A name that every reader takes: letters, digits, _ and -, with a letter first.
+std::string set_name(const std::string& name) {
+  std::string text;
+  for (const char c : name.substr(0, kLongestName))
+    text += is_letter(c) || (c >= '0' && c <= '9') || c == '-' ? c : '_';
+  return text.empty() || is_letter(text.front()) ? text : "N" + text;
+}
+
+std::map<ModelRef, std::string> set_names(const ModelOutline& outline) {
+  std::map<ModelRef, std::string> names;
+  std::set<std::string> taken;
+  for (int dim = 3; dim >= 0; --dim)
+    for (const OutlineEntity& e : outline.entities[static_cast<std::size_t>(dim)]) {
+      const std::string own = fmt::format("{}{}", kKind[dim], e.tag);
+      const std::string given = set_name(e.name);
+      std::string name = given.empty() ? own : given;
+      const auto is_new = [&taken](std::string word) {
+        std::transform(word.begin(), word.end(), word.begin(), upper_case);
+        return taken.insert(word).second;
+      };
+      while (!is_new(name)) name += "_" + own;
+      names[{dim, e.tag}] = name;
+    }
+  return names;
+}
+
+void write_nodes(OutputFile& file, const Mesh& mesh, double scale) {
+  file.write("*NODE, NSET=Nall\n");
+  file.write_blocks(mesh.points.size(), kBlock, [&](std::size_t first, std::size_t last, std::string& bytes) {
+    auto out = std::back_inserter(bytes);
+    for (std::size_t v = first; v < last; ++v) {
+      const Vec3 p = mesh.points[v] * scale;
+      // CalculiX reads the first twenty characters of a number.
+      fmt::format_to(out, "{}, {:.12e}, {:.12e}, {:.12e}\n", v + 1, p.x(), p.y(), p.z());
+    }
+  });
+}
+
+void write_elements(OutputFile& file, const Mesh& mesh, const std::string& name,
+                    const std::vector<std::uint32_t>& tets) {
+  file.write(fmt::format("*ELEMENT, TYPE=C3D4, ELSET={}\n", name));
+  file.write_blocks(tets.size(), kBlock, [&](std::size_t first, std::size_t last, std::string& bytes) {
+    auto out = std::back_inserter(bytes);
+    for (std::size_t i = first; i < last; ++i) {
+      const auto& v = mesh.tets[tets[i]];
+      fmt::format_to(out, "{}, {}, {}, {}, {}\n", tets[i] + 1, v[0] + 1, v[1] + 1, v[2] + 1, v[3] + 1);
+    }
+  });
+}
+
+/// The nodes of these elements, ascending, as a set.
+template <class Elements>
+void write_node_set(OutputFile& file, const Elements& elements, const std::vector<std::uint32_t>& items,
+                    const std::string& name) {
+  std::vector<Mesh::Index> nodes;
+  for (const std::uint32_t i : items) nodes.insert(nodes.end(), elements[i].begin(), elements[i].end());
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  std::string text = fmt::format("*NSET, NSET={}\n", name);
+  for (std::size_t k = 0; k < nodes.size(); ++k)
+    text += fmt::format("{}{}", nodes[k] + 1,
+                        k + 1 == nodes.size() || k % kPerLine == kPerLine - 1 ? "\n" : ", ");
+  file.write(text);
+}
+
+/// The tetrahedron that the triangle's normal points out of, or the only one there is.
+const FaceUse& side_of(std::span<const FaceUse> uses, const std::array<Mesh::Index, 3>& triangle) {
+  const bool even = sorted_face(triangle).even;
+  const auto out = std::find_if(uses.begin(), uses.end(), [&](const FaceUse& u) { return u.even == even; });
+  return out == uses.end() ? uses.front() : *out;
+}
+
+void write_surface(OutputFile& file, const Mesh& mesh, const FaceUses& uses, const std::string& name,
+                   const std::vector<std::uint32_t>& triangles) {
+  std::string text = fmt::format("*SURFACE, NAME={}, TYPE=ELEMENT\n", name);
+  for (const std::uint32_t i : triangles) {
+    const auto beside = uses.find(mesh.triangles[i]);
+    if (beside.empty()) continue;  // a triangle of no tetrahedron has no side to tell
+    const FaceUse& use = side_of(beside, mesh.triangles[i]);
+    const auto& tet = mesh.tets[use.tet];
+    for (std::size_t k = 0; k < 4; ++k)
+      if (std::find(use.v.begin(), use.v.end(), tet[k]) == use.v.end())
+        text += fmt::format("{}, S{}\n", use.tet + 1, kSideWithout[k]);
+  }
+  file.write(text);
+}
+
+/// Faces whose vertices all lie on the boundary are the only ones that can be asked for.
+FaceUses boundary_uses(const Mesh& mesh) {
+  std::vector<std::uint8_t> on_boundary(mesh.points.size(), 0);
+  for (const auto& triangle : mesh.triangles)
+    for (const Mesh::Index v : triangle) on_boundary[v] = 1;
+  return {mesh, on_boundary};
+}
+
+}  // namespace
+
+void write_inp(OutputFile& file, const Mesh& mesh, const ModelOutline& outline, double scale) {
+  constexpr std::size_t kMost = std::numeric_limits<int>::max();
+  if (std::max(mesh.points.size(), mesh.tets.size()) > kMost)
+    throw OutputError("the mesh is too large for an .inp file; use MSH 4.1");
+  const auto names = set_names(complete_outline(outline, mesh));
+  const ElementGroups groups = group_elements(mesh);
+  file.write("*HEADING\nmesh by Octet\n");
+  write_nodes(file, mesh, scale);
+  for (const auto& [ref, items] : groups.items)
+    if (ref.dim == 3) write_elements(file, mesh, names.at(ref), items);
+  const FaceUses uses = boundary_uses(mesh);
+  for (const auto& [ref, items] : groups.items) {
+    const std::string& name = names.at(ref);
+    if (ref.dim == 0) {
+      file.write(fmt::format("*NSET, NSET={}\n{}\n", name, groups.vertex_nodes[items.front()] + 1));
+    } else if (ref.dim == 1) {
+      write_node_set(file, mesh.edges, items, name);
+    } else if (ref.dim == 2) {
+      write_node_set(file, mesh.triangles, items, name);
+      write_surface(file, mesh, uses, name, items);
+    }
+  }
+}
+
+}  // namespace octet
