@@ -94,7 +94,7 @@ void add_size_options(CLI::App& command, SizeWords& words) {
   command
       .add_option(
           "--field", words.fields,
-          "Sizes over space, may be repeated: CSV lines x,y,z,size, or an MSH file with a view of its "
+          "Sizes over space, may be repeated: CSV lines x,y,z,size, or an MSH or VTU file with sizes of its "
           "elements or nodes")
       ->type_name("FILE")
       ->allow_extra_args(false)

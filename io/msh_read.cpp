@@ -4,7 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
+#include <optional>
 #include <string>
 
 #include "base/error.h"
@@ -194,6 +196,48 @@ bool read_format(Source& in) {
   return version == "4.1";
 }
 
+/// [MSH 4.1 and 2.2, $NodeData, $ElementData, $ElementNodeData]: what stands before the values is text in
+/// binary files, too.
+RawView read_view(Source& in, RawView::On on) {
+  RawView view;
+  view.on = on;
+  for (std::int64_t n = in.cursor.integer(), i = 0; i < n; ++i) {
+    in.cursor.skip_blanks();
+    const std::string_view text = in.cursor.line();
+    if (i > 0) continue;
+    const std::size_t first = text.find('"'), last = text.rfind('"');
+    view.name = last > first ? text.substr(first + 1, last - first - 1) : text;
+  }
+  for (std::int64_t n = in.cursor.integer(); n > 0; --n) (void)in.cursor.real();
+  std::int64_t word[3] = {0, 1, 0};  // step, components, values
+  for (std::int64_t n = in.cursor.integer(), i = 0; i < n; ++i) {
+    const std::int64_t value = in.cursor.integer();
+    if (i < 3) word[i] = value;
+  }
+  (void)in.cursor.line();
+  if (word[1] < 1 || word[1] > 9 || word[2] < 0) in.cursor.fail("a view has an impossible number of values");
+  view.components = static_cast<int>(word[1]);
+  const auto values = in.cursor.checked_count(static_cast<std::uint64_t>(word[2]), in.least(12), "values");
+  for (std::size_t i = 0; i < values; ++i) {
+    view.tag.push_back(positive(in));
+    const std::int32_t nodes = on == RawView::On::kElementNodes ? in.integer() : 1;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::int32_t k = 0; k < nodes; ++k) {
+      least = std::min(least, in.real());
+      for (int c = 1; c < view.components; ++c) (void)in.real();
+    }
+    view.value.push_back(least);
+  }
+  return view;
+}
+
+std::optional<RawView::On> place_of_view(const std::string& section) {
+  if (section == "NodeData") return RawView::On::kNodes;
+  if (section == "ElementData") return RawView::On::kElements;
+  if (section == "ElementNodeData") return RawView::On::kElementNodes;
+  return std::nullopt;
+}
+
 void end_section(Source& in, const std::string& name) {
   const std::string end = "$End" + name;
   if (in.cursor.word() != end)
@@ -202,7 +246,7 @@ void end_section(Source& in, const std::string& name) {
 
 }  // namespace
 
-RawMesh read_msh(std::string_view bytes) {
+RawMesh read_msh(std::string_view bytes, bool views_suffice) {
   Source in(bytes);
   RawMesh mesh;
   bool version41 = false, formatted = false, has_nodes = false, has_elements = false;
@@ -221,13 +265,16 @@ RawMesh read_msh(std::string_view bytes) {
     } else if (name == "Elements") {
       version41 ? read_elements41(in, mesh) : read_elements22(in, mesh);
       has_elements = true;
+    } else if (const auto on = place_of_view(name)) {
+      mesh.views.push_back(read_view(in, *on));
     } else {
       if (!in.cursor.skip_past("$End" + name)) in.cursor.fail(fmt::format("the section {} has no end", name));
       continue;
     }
     end_section(in, name);
   }
-  if (!has_nodes || !has_elements) throw InputError("the file has no nodes or no elements");
+  if ((!has_nodes || !has_elements) && !(views_suffice && !mesh.views.empty()))
+    throw InputError("the file has no nodes or no elements");
   return mesh;
 }
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "mesh/mesh.h"
@@ -25,6 +26,16 @@ struct RawElements {
   }
 };
 
+/// A view of post-processing: values at nodes, of elements, or at the nodes of elements.
+struct RawView {
+  enum class On { kNodes, kElements, kElementNodes };
+  std::string name;
+  On on = On::kElements;
+  int components = 1;
+  std::vector<std::uint64_t> tag;  ///< of the node or element
+  std::vector<double> value;       ///< per tag: the first component, of an element's nodes the smallest
+};
+
 struct RawMesh {
   std::vector<std::uint64_t> node_tag;
   std::vector<Vec3> points;
@@ -33,6 +44,7 @@ struct RawMesh {
   RawElements<2> edges;
   RawElements<3> triangles;
   RawElements<4> tets;
+  std::vector<RawView> views;
 };
 
 /// Nodes and elements in ascending order of their tags, node tags turned into indices. Nodes of unknown

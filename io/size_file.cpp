@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Told by the bytes: MSH begins with its own word, all else is taken for CSV.
+// Told by the bytes: MSH and VTU begin with their own words, all else is taken for CSV.
 #include "io/size_file.h"
 
 #include <fmt/format.h>
@@ -9,14 +9,13 @@
 #include <cmath>
 #include <fstream>
 #include <map>
-#include <optional>
 #include <sstream>
 #include <string>
 #include <string_view>
 
 #include "base/error.h"
-#include "io/byte_cursor.h"
 #include "io/msh_read.h"
+#include "io/vtu_file.h"
 #include "io/write.h"
 
 namespace octet {
@@ -84,33 +83,21 @@ Background read_csv(const std::string& text, const std::filesystem::path& mesh) 
   return sizes.empty() ? field : on_mesh(mesh, std::move(sizes));
 }
 
-/// Values by tag of the first view in the section.
-std::optional<std::map<std::uint64_t, double>> read_view(const std::string& text, std::string_view section) {
-  ByteCursor in(text);
-  if (!in.skip_past(section)) return std::nullopt;
-  for (std::int64_t n = in.integer(); n > 0; --n) {  // the view's name and other strings
-    in.skip_blanks();
-    (void)in.line();
-  }
-  for (std::int64_t n = in.integer(); n > 0; --n) (void)in.real();
-  std::vector<std::int64_t> tags;
-  const std::int64_t tag_count = in.integer();
-  for (std::int64_t i = 0; i < tag_count && i < 16; ++i) tags.push_back(in.integer());
-  if (tags.size() < 3 || tags[1] != 1) throw InputError("its view is not one of scalars");
-  std::map<std::uint64_t, double> values;
-  for (std::size_t n = in.checked_count(static_cast<std::uint64_t>(tags[2]), 4, "values"); n > 0; --n) {
-    const auto tag = static_cast<std::uint64_t>(in.integer());
-    values[tag] = in.real();
-  }
-  return values;
+/// Of several fields the one called "size", else the only one.
+std::size_t chosen(const std::vector<std::string>& names, const char* what) {
+  if (names.empty()) throw InputError(fmt::format("it has no {}", what));
+  const auto size = std::find(names.begin(), names.end(), "size");
+  if (size == names.end() && names.size() > 1)
+    throw InputError(fmt::format("it has several {} ({}): call the one that is meant \"size\"", what,
+                                 fmt::join(names, ", ")));
+  return size == names.end() ? 0 : static_cast<std::size_t>(size - names.begin());
 }
 
-Background read_msh_view(const std::string& text) {
-  const RawMesh raw = read_msh(text);
-  const auto on_elements = read_view(text, "$ElementData");
-  const auto on_nodes = on_elements ? std::nullopt : read_view(text, "$NodeData");
-  if (!on_elements && !on_nodes) throw InputError("the MSH file has no ASCII view of elements or nodes");
-  const auto value = [](const std::map<std::uint64_t, double>& values, std::uint64_t tag) {
+/// Tetrahedra and points with the view's values; 0 where it has none.
+Background on_view(const RawMesh& raw, const RawView& view) {
+  std::map<std::uint64_t, double> values;
+  for (std::size_t i = 0; i < view.tag.size(); ++i) values[view.tag[i]] = view.value[i];
+  const auto value = [&values](std::uint64_t tag) {
     const auto at = values.find(tag);
     return at == values.end() ? 0.0 : at->second;
   };
@@ -127,19 +114,99 @@ Background read_msh_view(const std::string& text) {
       tet[i] = at->second;
     }
   }
-  if (on_elements)
-    for (const std::uint64_t tag : raw.tets.tag) field.tet_size.push_back(value(*on_elements, tag));
+  if (view.on == RawView::On::kNodes)
+    for (const std::uint64_t tag : raw.node_tag) field.point_size.push_back(value(tag));
   else
-    for (const std::uint64_t tag : raw.node_tag) field.point_size.push_back(value(*on_nodes, tag));
+    for (const std::uint64_t tag : raw.tets.tag) field.tet_size.push_back(value(tag));
   return field;
+}
+
+Background read_msh_view(const std::string& text, const std::filesystem::path& mesh) {
+  const RawMesh raw = read_msh(text, true);
+  std::vector<const RawView*> scalars;
+  std::vector<std::string> names;
+  for (const RawView& view : raw.views)
+    if (view.components == 1) {
+      scalars.push_back(&view);
+      names.push_back(view.name);
+    }
+  const RawView& view = *scalars[chosen(names, "views of scalars")];
+  if (!raw.points.empty()) return on_view(raw, view);
+  if (mesh.empty()) throw InputError("its view needs a mesh whose nodes or elements it numbers");
+  return on_view(read_msh(file_text(mesh)), view);
+}
+
+/// The cells of a VTU file, each proved to name points that are there.
+struct VtuCells {
+  std::vector<std::uint8_t> type;
+  std::vector<std::vector<Mesh::Index>> nodes;
+};
+
+VtuCells cells_of(const VtuFile& file) {
+  VtuCells cells;
+  cells.type = file.array<std::uint8_t>("Cells", "types", file.cells());
+  const auto ends = file.array<std::int64_t>("Cells", "offsets", file.cells());
+  const auto length = static_cast<std::uint64_t>(std::max<std::int64_t>(ends.empty() ? 0 : ends.back(), 0));
+  const auto nodes = file.array<std::int64_t>("Cells", "connectivity", length);
+  std::int64_t first = 0;
+  for (const std::int64_t end : ends) {
+    if (end <= first || end > static_cast<std::int64_t>(length))
+      throw InputError(fmt::format("VTU cell {} has a wrong number of nodes", cells.nodes.size()));
+    auto& cell = cells.nodes.emplace_back();
+    for (; first < end; ++first) {
+      const std::int64_t node = nodes[static_cast<std::size_t>(first)];
+      if (node < 0 || node >= static_cast<std::int64_t>(file.points()))
+        throw InputError(fmt::format("a VTU cell names point {}, which is not given", node));
+      cell.push_back(static_cast<Mesh::Index>(node));
+    }
+  }
+  return cells;
+}
+
+/// Linear and quadratic tetrahedra by their corners. Without any, the values are those of a cloud: of the
+/// points, or of the cells at their middles.
+Background read_vtu_array(const std::string& text) {
+  const VtuFile file(text);
+  std::vector<std::string> names = file.real_scalars("CellData");
+  const std::size_t of_cells = names.size();
+  for (std::string& name : file.real_scalars("PointData")) names.push_back(std::move(name));
+  const std::size_t array = chosen(names, "arrays of real numbers");
+  const bool on_cells = array < of_cells;
+  auto size = file.array<double>(on_cells ? "CellData" : "PointData", names[array],
+                                 on_cells ? file.cells() : file.points());
+  const auto xyz = file.array<double>("Points", "", 3 * file.points());
+  Background field, cloud;
+  for (std::size_t i = 0; i + 2 < xyz.size(); i += 3)
+    field.points.emplace_back(xyz[i], xyz[i + 1], xyz[i + 2]);
+  const VtuCells cells = cells_of(file);
+  for (std::size_t c = 0; c < cells.nodes.size(); ++c) {
+    constexpr std::uint8_t kTetrahedron = 10, kQuadraticTetrahedron = 24;
+    const auto& nodes = cells.nodes[c];
+    if ((cells.type[c] == kTetrahedron || cells.type[c] == kQuadraticTetrahedron) && nodes.size() >= 4) {
+      field.tets.push_back({nodes[0], nodes[1], nodes[2], nodes[3]});
+      if (on_cells) field.tet_size.push_back(size[c]);
+    } else if (on_cells) {
+      Vec3 middle = Vec3::Zero();
+      for (const Mesh::Index v : nodes) middle += field.points[v] / static_cast<double>(nodes.size());
+      cloud.points.push_back(middle);
+      cloud.point_size.push_back(size[c]);
+    }
+  }
+  if (!on_cells) field.point_size = std::move(size);
+  return field.tets.empty() && on_cells ? cloud : field;
+}
+
+Background read_any(const std::string& text, const std::filesystem::path& mesh) {
+  if (text.compare(0, 11, "$MeshFormat") == 0) return read_msh_view(text, mesh);
+  if (text.substr(0, 1024).find("<VTKFile") != std::string::npos) return read_vtu_array(text);
+  return read_csv(text, mesh);
 }
 
 }  // namespace
 
 Background read_size_file(const std::filesystem::path& path, const std::filesystem::path& mesh) {
   try {
-    const std::string text = file_text(path);
-    Background field = text.compare(0, 11, "$MeshFormat") == 0 ? read_msh_view(text) : read_csv(text, mesh);
+    Background field = read_any(file_text(path), mesh);
     const std::vector<double>& sizes = field.tet_size.empty() ? field.point_size : field.tet_size;
     if (std::none_of(sizes.begin(), sizes.end(), [](double s) { return s > 0.0 && std::isfinite(s); }))
       throw InputError("it has no positive size");

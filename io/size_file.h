@@ -9,9 +9,15 @@
 namespace octet {
 
 /// A CSV file with four numbers a line, x, y, z, size: a point cloud. With one number a line: the sizes of
-/// the tetrahedra of `mesh` (an MSH or VTU file) in its order, or of its nodes, whichever are as many. An MSH
-/// file with one ASCII view ($ElementData or $NodeData): sizes on its own mesh. Lines of a CSV file that do
-/// not begin with a number are comments. InputError when there is nothing of that kind, or no positive size.
+/// the tetrahedra of `mesh` (an MSH or VTU file) in its order, or of its nodes, whichever are as many. Lines
+/// of a CSV file that do not begin with a number are comments.
+///
+/// An MSH file with a view of scalars ($ElementData, $NodeData or $ElementNodeData; ASCII or binary) on its
+/// own mesh, or else on `mesh` (an MSH file) by the tags of that. A VTU file with an array of real numbers on
+/// its cells or points; where it has no tetrahedra, it is a cloud of its points, or of its cells' middles. Of
+/// several views or arrays the one called "size" counts.
+///
+/// InputError when there is nothing of that kind, or no positive size.
 [[nodiscard]] Background read_size_file(const std::filesystem::path& path,
                                         const std::filesystem::path& mesh = {});
 

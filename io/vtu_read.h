@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// VTU as vtu_write makes it, appended and raw, or compressed by zlib; with the arrays entity_dim and
-// entity_tag.
+// Classified meshes from VTU: with the arrays entity_dim and entity_tag, as vtu_write makes them.
 #pragma once
 
 #include <string_view>
