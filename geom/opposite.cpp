@@ -81,6 +81,8 @@ std::optional<Foot> opposite_point(const Model& model, const Vec3& a, int face_o
       partner->face == face_of_a && partner->on.dim == 2 ? kNeighbourSameFace : kNeighbourOther;
   if (apart < least * 2.0 * radius) return std::nullopt;
   polish(model, a, axis, radius, slack, *partner);
+  // The foot moves on the face's whole surface: it may have come to lie on the face's edge, or beyond it.
+  if (partner->on.dim == 2) partner = model.face_closest(partner->on.tag, partner->point);
   partner->distance = (partner->point - a).norm();
   return partner;
 }

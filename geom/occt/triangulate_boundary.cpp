@@ -115,26 +115,34 @@ void share_chains(const Numbering& numbering, EdgeChains& chains) {
   }
 }
 
-/// Divides chords until no two cross on a face, or they are as short as tolerances.
+/// Divides chords until no two cross on a face and none leaves its edge on the face's surface, or they are as
+/// short as tolerances.
 class Untangler {
  public:
   Untangler(const Numbering& numbering, double deflection, const ModelParts& parts, EdgeChains& chains)
-      : numbering_(numbering), shortest_(kShortestChord * deflection), parts_(parts), chains_(chains) {}
+      : numbering_(numbering),
+        deflection_(deflection),
+        shortest_(kShortestChord * deflection),
+        parts_(parts),
+        chains_(chains) {}
 
   void run() {
     std::vector<int> faces;
     for (int tag = 1; tag <= numbering_.count(2); ++tag) faces.push_back(tag);
     for (int round = 0; round < kRounds && !faces.empty(); ++round) {
       std::set<std::pair<int, std::size_t>> chords;  // edge, index of the chord's first point
-      for (const int face : faces) find_crossings(face, chords);
+      for (const int face : faces) {
+        const FacePolygons polygons = face_polygons(numbering_, face, chains_, parts_);
+        find_crossings(polygons, chords);
+        find_astray(face, polygons, chords);
+      }
       faces = divide(chords);
       share_chains(numbering_, chains_);
     }
   }
 
  private:
-  void find_crossings(int face, std::set<std::pair<int, std::size_t>>& chords) const {
-    const FacePolygons polygons = face_polygons(numbering_, face, chains_, parts_);
+  static void find_crossings(const FacePolygons& polygons, std::set<std::pair<int, std::size_t>>& chords) {
     const std::vector<LoopCrossing> crossings = loop_crossings(polygons.loops);
     if (crossings.empty()) return;
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::pair<int, std::size_t>> chord_of;
@@ -146,6 +154,24 @@ class Untangler {
         const auto& loop = polygons.loops.loops[crossing.loop[k]];
         const std::uint32_t a = loop[crossing.side[k]], b = loop[(crossing.side[k] + 1) % loop.size()];
         chords.insert(chord_of.at(std::minmax(a, b)));
+      }
+  }
+
+  /// A chord may follow its edge in space and yet bulge on the surface, where (u,v) bends it: the facets
+  /// would cover what is not of the face, or leave some of it bare.
+  void find_astray(int face, const FacePolygons& polygons,
+                   std::set<std::pair<int, std::size_t>>& chords) const {
+    const Surface& surface = *parts_.surfaces[face];
+    if (std::string_view(surface.kind()) == "plane") return;
+    const SurfaceJets jets = occt_jets(surface);
+    for (const HalfEdgePoints& half : polygons.half_edges)
+      for (std::size_t k = 0; k + 1 < half.points.size(); ++k) {
+        const Vec2 &a = polygons.loops.uv[half.points[k]], &b = polygons.loops.uv[half.points[k + 1]];
+        const Vec3 p = jets(a, 0).p, q = jets(b, 0).p;
+        for (const double share : {0.5, 0.25, 0.75}) {
+          const Vec3 x = jets((1.0 - share) * a + share * b, 0).p;
+          if (closest_on_triangle(x, p, q, q).distance > deflection_) chords.emplace(half.edge, k);
+        }
       }
   }
 
@@ -165,6 +191,7 @@ class Untangler {
   }
 
   const Numbering& numbering_;
+  double deflection_;
   double shortest_;
   const ModelParts& parts_;
   EdgeChains& chains_;

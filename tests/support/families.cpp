@@ -19,7 +19,9 @@
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Builder.hxx>
 #include <Geom2d_Line.hxx>
+#include <Geom_BezierSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
+#include <TColgp_Array2OfPnt.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
@@ -145,6 +147,19 @@ TopoDS_Shape rounded_box(double radius) {
   return fillet.Shape();
 }
 
+/// A roof z = 2 + x y / 20 whose parameter lines are bent: y = 5 v + 6 u (1 - u). Its straight sides at
+/// constant y are bent in (u,v), by more than an element.
+TopoDS_Shape skewed_roof() {
+  TColgp_Array2OfPnt poles(1, 4, 1, 2);
+  const double bend[4] = {0, 2, 2, 0}, lift[4] = {0, 0, 12, 0};
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 2; ++j)
+      poles(i + 1, j + 1) = gp_Pnt(2 * i, 5 * j + bend[i], 2 + (10 * i * j + lift[i]) / 20);
+  const TopoDS_Shape roof = BRepBuilderAPI_MakeFace(new Geom_BezierSurface(poles), 1e-7).Shape();
+  const TopoDS_Shape block = BRepPrimAPI_MakePrism(roof, gp_Vec(0, 0, -1)).Shape();
+  return BRepAlgoAPI_Common(block, box(0.5, 1.6, -3, 5, 3.2, 9)).Shape();
+}
+
 }  // namespace
 
 std::vector<FamilyPart> family_parts() {
@@ -167,6 +182,7 @@ std::vector<FamilyPart> family_parts() {
   add("sunk_rod_0_01", [] { return sunk_rod(0.01); });
   add("cusp_1_4", [] { return sunk_rod(1.5 * (1.0 - std::cos(1.4 * kDegree))); });
   add("roof_over_rod", [] { return roof_over_rod(); });
+  add("skewed_roof", [] { return skewed_roof(); });
   add("eccentric_hole_0_01", [] { return eccentric_hole(0.01); });
   add("tangent_rods", [] {
     return side_by_side(rod({0, 0, 0}, gp::DZ(), 1.5, 3), rod({3, 0, 0}, gp::DZ(), 1.5, 3));

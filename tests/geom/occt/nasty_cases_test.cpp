@@ -33,6 +33,7 @@
 
 #include "base/error.h"
 #include "compound_of.h"
+#include "geom/opposite.h"
 #include "variants.h"
 
 namespace octet::test {
@@ -254,6 +255,24 @@ TEST(NastyCases, ACylinderThatRestsOnAPlaneTouchesItInAnEdge) {
     part.expect_region({0.5, 0.5, 1.5}, 2);
     part.expect_region({0.5, 0.5, 0.5}, 1);
   });
+}
+
+TEST(NastyCases, AnEdgeOverAFaceIsThePartnerNotTheFacesItBounds) {
+  // A lid over a step, its rim 0.05 above the step: straight below the rim, the ball touches the rim itself.
+  TopoDS_Shape clamp = BRepAlgoAPI_Fuse(box(10, 4, 1), moved(box(8, 4, 1), 2, 0, 1.05)).Shape();
+  clamp = BRepAlgoAPI_Fuse(clamp, moved(box(1, 4, 1.05), 9, 0, 0)).Shape();
+  const Model model = model_from_shape(turned(clamp, gp_Dir(1, 2, 3), 0.7));
+  gp_Trsf place;
+  place.SetRotation(gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(1, 2, 3)), 0.7);
+  for (double y = 0.3; y < 4.0; y += 0.21) {
+    const gp_Pnt foot = gp_Pnt(2, y, 1).Transformed(place), rim = gp_Pnt(2, y, 1.05).Transformed(place);
+    const auto a = model.closest({foot.X(), foot.Y(), foot.Z()}, 1e-6);
+    ASSERT_TRUE(a.has_value());
+    const auto b = opposite_point(model, a->point, a->face, a->normal, 1, 0.5);
+    ASSERT_TRUE(b.has_value()) << y;
+    EXPECT_EQ(b->on.dim, 1) << y;
+    EXPECT_LT((b->point - Vec3(rim.X(), rim.Y(), rim.Z())).norm(), 1e-9) << y;
+  }
 }
 
 TEST(NastyCases, AVoidIsOutside) {

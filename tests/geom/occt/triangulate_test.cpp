@@ -45,6 +45,21 @@ TEST(Triangulate, AHoleThatNearlyTouchesTheBorderStaysOpenAndTheBorderClosed) {
   }
 }
 
+TEST(Triangulate, FacetsEndWhereTheFaceDoesThoughItsSidesAreBentInParameters) {
+  const Model model = read_part(sample_path("bugs/skewed_roof"));
+  EXPECT_EQ(check_model(model), "");
+  std::vector<double> area(static_cast<std::size_t>(model.count(2)) + 1, 0.0);
+  const Facets& facets = model.facets();
+  for (std::size_t i = 0; i < facets.triangles.size(); ++i) {
+    const auto& [a, b, c] = facets.triangles[i];
+    area[facets.face[i]] +=
+        0.5 * (facets.nodes[b] - facets.nodes[a]).cross(facets.nodes[c] - facets.nodes[a]).norm();
+    for (const Vec2& uv : facets.uv[i]) EXPECT_NE(model.face_side(facets.face[i], uv), TrimSide::kOut);
+  }
+  for (int f = 1; f <= model.count(2); ++f)
+    EXPECT_NEAR(area[f], model.face(f).area, 0.01 * model.face(f).area) << f;
+}
+
 TEST(Triangulate, FacetsStayWithinTheDeflectionAsked) {
   for (const char* name : {"bracket", "blade", "torus", "cone", "ball"}) {
     ReadOptions options;
