@@ -6,8 +6,8 @@
                          [--segments 20000] [--points 1000] [--match WORD] [--manifest TSV --difficulty .. --kind ..]
 
 Segments: Model::intersect against every surface asked without facets. Points: Model::region_at against OCCT's
-solid classifier. The exit code is 0 when nothing was missed and nothing extra; differences to the classifier
-are listed with their distance from the boundary, for a reader to judge.
+solid classifier; where they differ, winding numbers of a fine triangulation decide who is right. The exit code
+is 0 when nothing was missed, nothing was extra, and wherever the classifier differs it is the one in error.
 """
 import argparse
 import json
@@ -16,6 +16,9 @@ import subprocess
 import sys
 
 from corpus import chosen_parts
+
+
+VERDICTS = ("ours_right", "within_tolerance", "theirs_right", "neither", "undecided")
 
 
 def arguments():
@@ -46,7 +49,7 @@ def ask(path, args):
 
 def main():
     args = arguments()
-    totals = dict.fromkeys(("parts", "segments", "hits", "missed", "extra", "points", "differ"), 0)
+    totals = dict.fromkeys(("parts", "segments", "hits", "missed", "extra", "points", "differ", *VERDICTS), 0)
     print(f"{'part':34} {'faces':>6} {'segments':>8} {'hits':>7} {'missed':>6} {'extra':>5} {'cracks':>6} "
           f"{'points':>6} {'differ':>6} {'on':>3}  places", flush=True)
     for path in chosen_parts(args):
@@ -59,14 +62,17 @@ def main():
         places = rays["places"] + sides["places"]
         print(f"{name:34} {result['faces']:6} {rays['segments']:8} {rays['hits']:7} {rays['missed']:6} "
               f"{rays['extra']:5} {rays['cracks']:6} {sides['points']:6} {sides['differ']:6} {sides['on']:3}  "
-              f"{json.dumps(places) if places else ''}", flush=True)
+              f"{json.dumps(sides['verdicts']) if sides['verdicts'] else ''} {json.dumps(places) if places else ''}", flush=True)
         totals["parts"] += 1
         for key in ("segments", "hits", "missed", "extra"):
             totals[key] += rays[key]
         for key in ("points", "differ"):
             totals[key] += sides[key]
+        for key, count in sides["verdicts"].items():
+            totals[key] += count
     print(", ".join(f"{value} {key}" for key, value in totals.items()))
-    return 0 if totals["missed"] == 0 and totals["extra"] == 0 else 1
+    faults = ("missed", "extra", "theirs_right", "neither", "undecided")
+    return 0 if all(totals[key] == 0 for key in faults) else 1
 
 
 if __name__ == "__main__":

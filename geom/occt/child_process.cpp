@@ -2,7 +2,9 @@
 // Work that may hang, crash or take all memory, run in a process of its own.
 //
 // Parent and child share a socket. The child sends frames: a kind, a length, that many bytes. A frame 's'
-// names the stage that begins; 'r' holds the answer and 'e' an error, and either is the last.
+// names the stage that begins; 'r' holds the answer and 'e' an error, and either is the last. A helper
+// program says its version first, 'v', before it looks at the request: what follows means something to its
+// like alone.
 #include "geom/occt/child_process.h"
 
 #include <fcntl.h>
@@ -184,6 +186,15 @@ class Follower {
         start_(Clock::now()),
         start_bytes_(resident_bytes(child.pid())) {}
 
+  /// InputError: the helper's first words are not this version's.
+  void expect_version(const std::filesystem::path& program, const std::string& version) {
+    char kind = 0;
+    const std::string theirs = next_frame(kind);
+    if (kind == 'v' && theirs == version) return;
+    throw InputError(fmt::format("'{}' is of version {}, this is {}: install both together", program.string(),
+                                 kind == 'v' ? theirs : "unknown", version));
+  }
+
   std::string run() {
     for (;;) {
       char kind = 0;
@@ -329,8 +340,8 @@ std::string run_in_child(const ChildWork& work, const ChildLimits& limits) {
   return Follower(ours.get(), child, limits).run();
 }
 
-std::string run_in_helper(const std::filesystem::path& program, std::string_view request,
-                          const ChildLimits& limits) {
+std::string run_in_helper(const std::filesystem::path& program, const std::string& version,
+                          std::string_view request, const ChildLimits& limits) {
   const std::array<int, 2> sockets = make_sockets();
   Descriptor ours(sockets[0]), theirs(sockets[1]);
   Child child(start_program(program, theirs.get()));
@@ -338,11 +349,15 @@ std::string run_in_helper(const std::filesystem::path& program, std::string_view
   // A helper that dies early is told by its silence.
   (void)send_all(ours.get(), request.data(), request.size());
   ::shutdown(ours.get(), SHUT_WR);
-  return Follower(ours.get(), child, limits).run();
+  Follower follower(ours.get(), child, limits);
+  follower.expect_version(program, version);
+  return follower.run();
 }
 
-int serve_helper(const std::function<std::string(std::string_view, const StageLog&)>& work) {
+int serve_helper(const std::string& version,
+                 const std::function<std::string(std::string_view, const StageLog&)>& work) {
   become_child();
+  if (!send_frame(kHelperSocket, 'v', version)) return 1;
   const std::string request = read_to_end(kHelperSocket);
   return answer(kHelperSocket, [&](const StageLog& log) { return work(request, log); });
 }

@@ -31,11 +31,13 @@ using ChildWork = std::function<std::string(const StageLog&)>;
 [[nodiscard]] std::string run_in_child(const ChildWork& work, const ChildLimits& limits);
 
 /// The same in a new process: starts `program`, whose main() is serve_helper(), and hands it `request`.
-/// Safe with any number of threads; costs the start of a program.
-[[nodiscard]] std::string run_in_helper(const std::filesystem::path& program, std::string_view request,
-                                        const ChildLimits& limits);
+/// Safe with any number of threads; costs the start of a program. InputError also when the program is of
+/// another version.
+[[nodiscard]] std::string run_in_helper(const std::filesystem::path& program, const std::string& version,
+                                        std::string_view request, const ChildLimits& limits);
 
-/// The other end of run_in_helper(): reads the request, answers, and returns the exit code.
-int serve_helper(const std::function<std::string(std::string_view request, const StageLog&)>& work);
+/// The other end of run_in_helper(): says the version, reads the request, answers, returns the exit code.
+int serve_helper(const std::string& version,
+                 const std::function<std::string(std::string_view request, const StageLog&)>& work);
 
 }  // namespace octet

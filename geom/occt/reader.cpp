@@ -6,6 +6,7 @@
 
 #include <Standard_Failure.hxx>
 #include <Standard_OutOfMemory.hxx>
+#include <Standard_Version.hxx>
 #include <array>
 #include <new>
 
@@ -81,12 +82,14 @@ std::string guarded_bytes(const ReadJob& job, std::string& note) {
   if (has_one_thread() && options.reader_program.empty())
     return run_in_child([&](const StageLog& log) { return do_job(job, log); }, limits);
   const fs::path helper = find_helper(options);
-  if (!helper.empty()) return run_in_helper(helper, encode_job(job), limits);
+  if (!helper.empty()) return run_in_helper(helper, reader_version(), encode_job(job), limits);
   note = "read without limits of time and memory: the program octet-reader was not found";
   return in_this_process();
 }
 
 }  // namespace
+
+std::string reader_version() { return "Octet " OCTET_VERSION " with OCCT " OCC_VERSION_COMPLETE; }
 
 std::string serve_job(std::string_view request, const StageLog& log) {
   ByteReader in(request);

@@ -25,6 +25,9 @@ struct ReadJob {
 /// All that makes a model, by a child process as ReadOptions says.
 [[nodiscard]] ModelParts read_job(const ReadJob& job);
 
+/// Of Octet and of OCCT: library and helper program understand each other when both are the same.
+[[nodiscard]] std::string reader_version();
+
 /// What the helper program does: a job as bytes to a part as bytes.
 [[nodiscard]] std::string serve_job(std::string_view request, const StageLog& log);
 

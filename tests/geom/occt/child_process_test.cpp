@@ -13,6 +13,7 @@
 #include "base/error.h"
 #include "geom/occt/byte_stream.h"
 #include "geom/occt/part_stream.h"
+#include "geom/occt/reader.h"
 #include "sample_parts.h"
 
 namespace octet::test {
@@ -163,6 +164,17 @@ TEST(Reading, AMissingHelperIsAnError) {
   ReadOptions options;
   options.reader_program = "/nowhere/octet-reader";
   EXPECT_THROW((void)read_part(sample_path("box"), options), InputError);
+}
+
+TEST(Reading, AHelperOfAnotherVersionIsNamedWithBoth) {
+  try {
+    (void)run_in_helper(OCTET_READER_PROGRAM, "Octet 99", "", {});
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(std::string(error.what()), std::string("'") + OCTET_READER_PROGRAM + "' is of version " +
+                                             reader_version() + ", this is Octet 99: install both together");
+  }
+  expect_no_child_left();
 }
 
 TEST(Reading, ALimitOfTimeIsKept) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One part: the fast paths against every surface asked without facets and against OCCT's solid classifier.
+// One part: the fast paths against every surface asked without facets and against OCCT's solid classifier;
+// winding numbers decide where the two differ.
 //
 // octet_interrogate PART [SEGMENTS [POINTS [SECONDS]]] prints one JSON object.
 #include <BRepClass3d_SolidClassifier.hxx>
@@ -7,12 +8,16 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <string_view>
 #include <vector>
 
 #include "lattice_segments.h"
 #include "part_and_shape.h"
 #include "slow_reference.h"
+#include "winding_number.h"
 
 namespace octet::test {
 namespace {
@@ -72,43 +77,71 @@ Json compare_segments(const Model& model, const Limits& limits) {
           {"extra", extra},    {"cracks", cracks},  {"places", places}};
 }
 
+/// What OCCT's classifiers of the solids say; no value: on the boundary, or unknown.
+class Classifiers {
+ public:
+  explicit Classifiers(const Numbering& numbering) {
+    for (int tag = 1; tag <= numbering.count(3); ++tag)
+      solids_.push_back(std::make_unique<BRepClass3d_SolidClassifier>(numbering.solid(tag)));
+  }
+
+  std::optional<int> solid_around(const Vec3& p) {
+    bool unclear = false;
+    for (std::size_t i = 0; i < solids_.size(); ++i) {
+      solids_[i]->Perform(gp_Pnt(p.x(), p.y(), p.z()), 1e-7);
+      if (solids_[i]->State() == TopAbs_IN) return static_cast<int>(i) + 1;
+      unclear |= solids_[i]->State() == TopAbs_ON || solids_[i]->State() == TopAbs_UNKNOWN;
+    }
+    return unclear ? std::nullopt : std::optional(0);
+  }
+
+ private:
+  std::vector<std::unique_ptr<BRepClass3d_SolidClassifier>> solids_;
+};
+
+/// Who is right where the model and the classifier differ: `ours_right`, `theirs_right`, `neither`;
+/// `within_tolerance` where p is nearer to the boundary than the part knows it; else `undecided`.
+const char* verdict(const Model& model, const std::optional<Foot>& foot, std::optional<int> third, int ours,
+                    int theirs) {
+  if (foot && foot->distance <= std::max(1e-7, model.tolerance_of(foot->on))) return "within_tolerance";
+  if (!third) return "undecided";
+  return *third == ours ? "ours_right" : *third == theirs ? "theirs_right" : "neither";
+}
+
 Json compare_points(const PartAndShape& part, const Limits& limits) {
   const Model& model = part.model;
-  std::vector<std::unique_ptr<BRepClass3d_SolidClassifier>> solids;
-  for (int tag = 1; tag <= model.count(3); ++tag)
-    solids.push_back(std::make_unique<BRepClass3d_SolidClassifier>(part.numbering.solid(tag)));
+  Classifiers classifiers(part.numbering);
+  WindingNumbers winding(part.numbering);
   LatticeSegments random(model);
   int asked = 0, differ = 0, on = 0;
   Json places = Json::array();
+  Json verdicts = Json::object();
   const auto start = Clock::now();
   for (; asked < limits.points; ++asked) {
     if (std::chrono::duration<double>(Clock::now() - start).count() > limits.seconds) break;
     Vec3 p;
     for (int k = 0; k < 3; ++k)
       p[k] = model.box().lo[k] + (1.1 * random.unit() - 0.05) * model.box().size()[k];
-    int theirs = 0;
-    bool unclear = false;
-    for (std::size_t i = 0; i < solids.size() && theirs == 0; ++i) {
-      solids[i]->Perform(gp_Pnt(p.x(), p.y(), p.z()), 1e-7);
-      if (solids[i]->State() == TopAbs_IN) theirs = static_cast<int>(i) + 1;
-      unclear |= solids[i]->State() == TopAbs_ON || solids[i]->State() == TopAbs_UNKNOWN;
-    }
-    if (theirs == 0 && unclear) {
+    const std::optional<int> theirs = classifiers.solid_around(p);
+    if (!theirs) {
       ++on;
       continue;
     }
     const int ours = model.region_at(p);
-    if (ours == theirs) continue;
+    if (ours == *theirs) continue;
     ++differ;
     const auto foot = model.closest(p, 1e300);
-    if (places.size() < 5)
+    const char* who = verdict(model, foot, winding.solid_around(p, model.diagonal()), ours, *theirs);
+    verdicts[who] = verdicts.value(who, 0) + 1;
+    if (places.size() < 5 || who != std::string_view("ours_right"))
       places.push_back({{"at", place(p)},
                         {"ours", ours},
-                        {"theirs", theirs},
+                        {"theirs", *theirs},
+                        {"verdict", who},
                         {"distance", foot ? foot->distance : -1.0},
                         {"near", foot ? model.describe(foot->on) : ""}});
   }
-  return {{"points", asked}, {"differ", differ}, {"on", on}, {"places", places}};
+  return {{"points", asked}, {"differ", differ}, {"on", on}, {"verdicts", verdicts}, {"places", places}};
 }
 
 }  // namespace
