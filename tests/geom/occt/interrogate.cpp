@@ -111,7 +111,7 @@ const char* verdict(const Model& model, const std::optional<Foot>& foot, std::op
 Json compare_points(const PartAndShape& part, const Limits& limits) {
   const Model& model = part.model;
   Classifiers classifiers(part.numbering);
-  WindingNumbers winding(part.numbering);
+  WindingNumbers winding(part.numbering, model);
   LatticeSegments random(model);
   int asked = 0, differ = 0, on = 0;
   Json places = Json::array();
@@ -131,7 +131,7 @@ Json compare_points(const PartAndShape& part, const Limits& limits) {
     if (ours == *theirs) continue;
     ++differ;
     const auto foot = model.closest(p, 1e300);
-    const char* who = verdict(model, foot, winding.solid_around(p, model.diagonal()), ours, *theirs);
+    const char* who = verdict(model, foot, winding.region_around(p), ours, *theirs);
     verdicts[who] = verdicts.value(who, 0) + 1;
     if (places.size() < 5 || who != std::string_view("ours_right"))
       places.push_back({{"at", place(p)},

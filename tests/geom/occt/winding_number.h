@@ -16,24 +16,28 @@
 #include <vector>
 
 #include "geom/facet_bvh.h"
+#include "geom/model.h"
 #include "geom/occt/numbering.h"
+#include "geom/size_wishes.h"
 
 namespace octet::test {
 
-/// OCCT's triangulations of the solids, summed as solid angles [Van Oosterom & Strackee 1983]. A hole in a
-/// triangulation leaves a number between 0 and 1, which is no answer, not a wrong one.
+/// Triangles of the solids' boundaries, summed as solid angles [Van Oosterom & Strackee 1983]: those of
+/// OCCT's mesher, and the model's own facets where that leaves a face out. A hole in a triangulation gives a
+/// number between 0 and 1, which is no answer, not a wrong one.
 class WindingNumbers {
  public:
-  explicit WindingNumbers(const Numbering& numbering) : numbering_(numbering) {}
+  WindingNumbers(const Numbering& numbering, const Model& model) : numbering_(numbering), model_(model) {}
 
   /// Tag of the solid that holds p, 0: none; no value where the finest triangulation comes as near to p as it
   /// may lie from the surface, or does not enclose it one whole time or not at all.
-  [[nodiscard]] std::optional<int> solid_around(const Vec3& p, double diagonal) {
+  [[nodiscard]] std::optional<int> region_around(const Vec3& p) {
     for (const double share : {1e-3, 1e-4}) {
-      const auto answer = solid_around(p, triangles(share * diagonal), 3.0 * share * diagonal);
-      if (answer) return answer;
+      const double deflection = share * model_.diagonal();
+      if (const auto answer = region_around(p, triangles(deflection), 3.0 * deflection)) return answer;
     }
-    return std::nullopt;
+    if (facets_.empty()) facets_ = facets();
+    return region_around(p, facets_, 3.0 * model_.bvh().max_grow());
   }
 
  private:
@@ -42,8 +46,8 @@ class WindingNumbers {
   };
   using Solids = std::vector<std::vector<Triangle>>;  ///< by tag, [0] unused
 
-  [[nodiscard]] static std::optional<int> solid_around(const Vec3& p, const Solids& solids,
-                                                       double clearance) {
+  [[nodiscard]] static std::optional<int> region_around(const Vec3& p, const Solids& solids,
+                                                        double clearance) {
     constexpr double kSure = 0.02;
     int found = 0;
     for (std::size_t tag = 1; tag < solids.size(); ++tag) {
@@ -99,8 +103,22 @@ class WindingNumbers {
     return triangles;
   }
 
+  [[nodiscard]] Solids facets() const {
+    Solids solids(static_cast<std::size_t>(model_.count(3)) + 1);
+    const Facets& facets = model_.facets();
+    for (std::size_t i = 0; i < facets.triangles.size(); ++i) {
+      const auto [a, b, c] = facet_corners(facets, i);
+      const auto& [behind, before] = model_.face(facets.face[i]).region;
+      if (behind != 0) solids[behind].push_back({a, b, c});
+      if (before != 0) solids[before].push_back({a, c, b});
+    }
+    return solids;
+  }
+
   const Numbering& numbering_;
+  const Model& model_;
   std::vector<std::pair<double, Solids>> made_;
+  Solids facets_;
 };
 
 }  // namespace octet::test
