@@ -40,7 +40,8 @@ namespace octet {
 }
 
 /// True only when the surface point x at (u,v) is surely in the face: in a facet in (u,v), and farther from
-/// every border chord than the border's curve may be. `triangles` [first, last) are of the face and hold
+/// every border chord than the border's curve may be, and than the side of the facet in (u,v): on the surface
+/// it is no chord, and may bulge over a curve that is one. `triangles` [first, last) are of the face and hold
 /// all that lie within their growth of x; `id` maps an element to its triangle. False decides nothing.
 template <class Iterator, class Id>
 [[nodiscard]] bool clearly_in_facets(const Model::Data& data, const Vec3& x, const Vec2& uv, Iterator first,
@@ -53,7 +54,8 @@ template <class Iterator, class Id>
     for (const std::int32_t s : data.border.of_triangle[id(*it)]) {
       if (s < 0) continue;
       const BorderSide& side = data.border.sides[s];
-      if (chord_distance(data, side, x) <= kClear * chord_reach(data, side)) return false;
+      const double bulge = data.facets().deviation[data.facets().face[id(*it)]];
+      if (chord_distance(data, side, x) <= bulge + kClear * chord_reach(data, side)) return false;
     }
   return true;
 }

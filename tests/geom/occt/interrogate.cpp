@@ -64,13 +64,17 @@ Json compare_segments(const Model& model, const Limits& limits) {
     for (const double t : expected)
       if (std::none_of(hits.begin(), hits.end(), [&](const Hit& hit) { return close(hit, t); })) {
         ++missed;
-        if (places.size() < 5) places.push_back({{"missed", place(p + t * (q - p))}});
+        if (places.size() < 5)
+          places.push_back({{"missed", place(p + t * (q - p))}, {"from", place(p)}, {"to", place(q)}});
       }
     for (const Hit& hit : hits) {
       if (std::any_of(expected.begin(), expected.end(), [&](double t) { return close(hit, t); })) continue;
       ++(hit.on.dim == 2 ? extra : cracks);
       if (hit.on.dim == 2 && places.size() < 5)
-        places.push_back({{"extra", place(hit.point)}, {"on", model.describe(hit.on)}});
+        places.push_back({{"extra", place(hit.point)},
+                          {"on", model.describe(hit.on)},
+                          {"from", place(p)},
+                          {"to", place(q)}});
     }
   }
   return {{"segments", asked}, {"hits", hits_seen}, {"missed", missed},

@@ -2,8 +2,13 @@
 // Model::intersect loses and adds nothing against every surface asked without facets.
 #include <gtest/gtest.h>
 
+#include <BRepAlgoAPI_Common.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
 #include <algorithm>
+#include <string_view>
 
+#include "geom/occt/from_shape.h"
 #include "lattice_segments.h"
 #include "sample_parts.h"
 #include "slow_reference.h"
@@ -54,6 +59,41 @@ TEST_P(Intersect, HitsLeadFromRegionToRegion) {
       region = sides[forward ? 1 : 0];
     }
   }
+}
+
+/// The chamfer of a square head: the planes cut the cone in hyperbolas, nearly straight in space, well curved
+/// in (u,v). Segments along the normal beside the middles of the border's facet sides.
+TEST(IntersectBesideABorder, KeepsToTheTrimWhereTheFacetsBulgeOverIt) {
+  const TopoDS_Shape cone = BRepPrimAPI_MakeCone(11.0, 5.0, 2.0).Shape();
+  const TopoDS_Shape bar = BRepPrimAPI_MakeBox(gp_Pnt(-7, -7, -1), gp_Pnt(7, 7, 5)).Shape();
+  ReadOptions coarse;
+  coarse.facet_deflection = 0.05;
+  const Model model = model_from_shape(BRepAlgoAPI_Common(cone, bar).Shape(), coarse);
+  const Facets& facets = model.facets();
+  int asked = 0, outside = 0, wrong = 0;
+  std::vector<Hit> hits;
+  for (std::size_t i = 0; i < facets.triangles.size(); ++i) {
+    const int face = facets.face[i];
+    if (std::string_view(model.surface(face).kind()) != "cone") continue;
+    for (int k = 0; k < 3; ++k)
+      for (const double inwards : {0.001, 0.01, 0.05, 0.2}) {
+        const auto& uv = facets.uv[i];
+        const Vec2 middle = 0.5 * (uv[k] + uv[(k + 1) % 3]);
+        const Vec2 at = middle + inwards * (uv[(k + 2) % 3] - middle);
+        const Vec3 x = model.face_jet(face, at, 0).p, n = 0.01 * model.face_normal(face, at);
+        hits.clear();
+        model.intersect(x - n, x + n, hits);
+        const TrimSide side = model.face_side(face, at);
+        const bool hit =
+            std::any_of(hits.begin(), hits.end(), [&](const Hit& h) { return h.on == model_face(face); });
+        ++asked;
+        outside += side == TrimSide::kOut;
+        wrong += (side == TrimSide::kIn && !hit) || (side == TrimSide::kOut && hit);
+      }
+  }
+  EXPECT_EQ(wrong, 0);
+  EXPECT_GT(asked, 100);
+  EXPECT_GT(outside, 10);
 }
 
 INSTANTIATE_TEST_SUITE_P(Samples, Intersect,
