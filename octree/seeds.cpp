@@ -28,26 +28,46 @@ void seed_model_vertices(SeedState& state) {
 
 namespace {
 
+/// Calls mark(vertex) for every vertex on the octant, those that hang on it included.
+template <class Mark>
+void for_each_vertex(const Octree& tree, const OctreeVertices& vertices, OctantId o, const Mark& mark) {
+  for (const std::uint32_t v : octant_lattice(tree, vertices, o))
+    if (v != kNoVertex) mark(v);
+}
+
 /// How near the boundary each octree vertex is: 0 on a boundary octant, hanging on it included; 1 on an
 /// octant that has such a vertex; 2 farther.
 std::vector<std::uint8_t> rings(const Octree& tree, const OctreeVertices& vertices,
                                 const OctreeLabels& labels) {
   std::vector<std::uint8_t> ring(vertices.size(), 2);
-  const auto mark = [&](OctantId o, std::uint8_t value) {
-    for (const std::uint32_t v : octant_lattice(tree, vertices, o))
-      if (v != UINT32_MAX) ring[v] = std::min(ring[v], value);
-  };
   for (std::size_t o = 0; o < tree.size(); ++o)
-    if (labels.type[o] == OctantType::kBoundary) mark(OctantId(o), 0);
-  std::vector<OctantId> next;
+    if (labels.type[o] == OctantType::kBoundary)
+      for_each_vertex(tree, vertices, OctantId(o), [&](std::uint32_t v) { ring[v] = 0; });
   for (std::size_t o = 0; o < tree.size(); ++o) {
     const auto& corners = vertices.corners[o];
     if (labels.type[o] != OctantType::kBoundary &&
         std::any_of(corners.begin(), corners.end(), [&](std::uint32_t v) { return ring[v] == 0; }))
-      next.emplace_back(o);
+      for_each_vertex(tree, vertices, OctantId(o),
+                      [&](std::uint32_t v) { ring[v] = std::min<std::uint8_t>(ring[v], 1); });
   }
-  for (const OctantId o : next) mark(o, 1);
   return ring;
+}
+
+/// Vertices of the octants off the boundary that have a vertex of the first ring which is no point, for it is
+/// too near the surface: there the second ring stands in for it.
+std::vector<std::uint8_t> around_gaps_of_first_ring(const Octree& tree, const OctreeVertices& vertices,
+                                                    const OctreeLabels& labels,
+                                                    std::span<const std::uint8_t> ring,
+                                                    std::span<const std::uint8_t> kept) {
+  std::vector<std::uint8_t> around(vertices.size(), 0);
+  for (std::size_t o = 0; o < tree.size(); ++o) {
+    const auto& corners = vertices.corners[o];
+    if (labels.type[o] != OctantType::kBoundary &&
+        std::any_of(corners.begin(), corners.end(),
+                    [&](std::uint32_t v) { return ring[v] == 0 && kept[v] == 0; }))
+      for_each_vertex(tree, vertices, OctantId(o), [&](std::uint32_t v) { around[v] = 1; });
+  }
+  return around;
 }
 
 bool is_root_corner(const Lattice& at) {
@@ -59,31 +79,34 @@ bool is_root_corner(const Lattice& at) {
 
 void seed_octree_vertices(SeedState& state, const OctreeVertices& vertices, const OctreeLabels& labels) {
   Seeds& seeds = state.seeds;
-  seeds.octree_vertex_kept.assign(vertices.size(), 0);
   const std::vector<std::uint8_t> ring = rings(state.tree, vertices, labels);
   // Octree vertices are on a lattice of their own spacing: only points placed before them can be too close.
-  const std::size_t surface_points = seeds.points.size();
-  std::vector<std::uint32_t> kept;
-  for (std::uint32_t v = 0; v < vertices.size(); ++v) {
-    const int region = labels.vertex_region[v];
-    if (region == 0 && ring[v] == 2 && !is_root_corner(vertices.at[v])) continue;
+  const auto is_clear = [&](std::uint32_t v) {
     const Vec3 p = state.tree.position(vertices.at[v]);
     const double clear = kOctreeSpacing * state.tree.length(vertices.finest_level[v]);
-    if (ring[v] < 2) {
-      if (state.points_grid.any_within(p, clear, [](std::uint32_t, double) { return true; })) continue;
-      if (ring[v] == 0 && state.model.closest(p, clear)) continue;
-    }
-    kept.push_back(v);
+    return !state.points_grid.any_within(p, clear, [](std::uint32_t, double) { return true; }) &&
+           !(ring[v] == 0 && state.model.closest(p, clear));
+  };
+  std::vector<std::uint8_t>& kept = seeds.octree_vertex_kept;
+  kept.assign(vertices.size(), 0);
+  for (std::uint32_t v = 0; v < vertices.size(); ++v)
+    if (ring[v] == 0) kept[v] = is_clear(v) ? 1 : 0;
+  const std::vector<std::uint8_t> stands_in =
+      around_gaps_of_first_ring(state.tree, vertices, labels, ring, kept);
+  for (std::uint32_t v = 0; v < vertices.size(); ++v) {
+    if (ring[v] == 0) continue;
+    const bool wanted = labels.vertex_region[v] != 0 || stands_in[v] != 0 || is_root_corner(vertices.at[v]);
+    kept[v] = wanted && (ring[v] == 2 || is_clear(v)) ? 1 : 0;
   }
+  seeds.surface_points = seeds.points.size();
   seeds.octree_point.assign(vertices.size(), UINT32_MAX);
-  for (const std::uint32_t v : kept) {
-    seeds.octree_vertex_kept[v] = 1;
+  for (std::uint32_t v = 0; v < vertices.size(); ++v) {
+    if (kept[v] == 0) continue;
     const double length = state.tree.length(vertices.finest_level[v]);
     seeds.octree_point[v] = static_cast<std::uint32_t>(seeds.points.add(state.tree.position(vertices.at[v]),
                                                                         model_region(labels.vertex_region[v]),
                                                                         vertices.rank(v), length));
   }
-  seeds.surface_points = surface_points;
 }
 
 }  // namespace octet
