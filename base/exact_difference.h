@@ -55,13 +55,23 @@ auto with_exact_width(std::initializer_list<const Vec3*> points, const F& f) {
   return f(WideInt<33>(), lowest);
 }
 
-/// a - b in units of 2^lowest, for the N that with_exact_width() chose.
+/// A point in units of 2^lowest, modulo 2^(64 N): differences of two of them are exact for the N that
+/// with_exact_width() chose.
+template <int N>
+[[nodiscard]] Difference<WideInt<N>> exact(const Vec3& p, int lowest) {
+  using W = WideInt<N>;
+  return {W::from_scaled(p.x(), lowest), W::from_scaled(p.y(), lowest), W::from_scaled(p.z(), lowest)};
+}
+
+template <class T>
+[[nodiscard]] Difference<T> operator-(const Difference<T>& a, const Difference<T>& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+/// a - b in units of 2^lowest.
 template <int N>
 [[nodiscard]] Difference<WideInt<N>> exact_minus(const Vec3& a, const Vec3& b, int lowest) {
-  using W = WideInt<N>;
-  return {W::from_scaled(a.x(), lowest) - W::from_scaled(b.x(), lowest),
-          W::from_scaled(a.y(), lowest) - W::from_scaled(b.y(), lowest),
-          W::from_scaled(a.z(), lowest) - W::from_scaled(b.z(), lowest)};
+  return exact<N>(a, lowest) - exact<N>(b, lowest);
 }
 
 }  // namespace octet

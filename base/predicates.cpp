@@ -13,6 +13,7 @@
 #include <cmath>
 #include <initializer_list>
 #include <limits>
+#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -112,77 +113,64 @@ int orient3d_exact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   });
 }
 
-int insphere_exact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e) {
+/// The insphere determinant is linear in the weights of its five points. The coefficient of e's weight is
+/// orient3d(a,b,c,d): a heavier e is deeper inside. The determinant changes sign when two of the five points
+/// are exchanged, which gives the other coefficients: all five are determinants of differences to e.
+template <class T>
+std::array<T, 5> weight_coefficients(const Minors<T>& m) {
+  const T zero{};
+  return {zero - m.bcd, m.acd, zero - m.abd, m.abc, (m.bcd - m.acd) + (m.abd - m.abc)};
+}
+
+int sign_of(const std::int64_t& x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
+
+template <int N>
+int sign_of(const WideInt<N>& x) {
+  return x.sign();
+}
+
+/// The sign that vanishing weights give, the heaviest class first, then the heaviest point.
+template <class T>
+int sign_by_rank(const std::array<T, 5>& coefficient, const std::uint64_t rank[5]) {
+  std::array<int, 5> order{0, 1, 2, 3, 4};
+  for (int i = 1; i < 5; ++i)
+    for (int j = i; j > 0 && rank[order[j]] > rank[order[j - 1]]; --j) std::swap(order[j], order[j - 1]);
+  const auto class_of = [&](int k) { return rank[order[k]] >> kRankClassShift; };
+  for (int first = 0, end; first < 5; first = end) {
+    T sum = coefficient[order[first]];
+    for (end = first + 1; end < 5 && class_of(end) == class_of(first); ++end)
+      sum = sum + coefficient[order[end]];
+    if (const int sign = sign_of(sum); sign != 0) return sign;
+  }
+  for (const int i : order)
+    if (const int sign = sign_of(coefficient[i]); sign != 0) return sign;
+  return 0;
+}
+
+/// Exact; ties broken by rank where there are ranks.
+int insphere_exact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e,
+                   const std::uint64_t* rank) {
   return with_exact_width({&a, &b, &c, &d, &e}, [&]<int N>(WideInt<N>, int lowest) {
-    return insphere_determinant(exact_minus<N>(a, e, lowest), exact_minus<N>(b, e, lowest),
-                                exact_minus<N>(c, e, lowest), exact_minus<N>(d, e, lowest))
-        .sign();
+    const auto origin = exact<N>(e, lowest);
+    const auto pa = exact<N>(a, lowest) - origin, pb = exact<N>(b, lowest) - origin,
+               pc = exact<N>(c, lowest) - origin, pd = exact<N>(d, lowest) - origin;
+    const auto m = minors(pa, pb, pc, pd);
+    const int sign = insphere_determinant(pa, pb, pc, pd, m).sign();
+    return sign != 0 || rank == nullptr ? sign : sign_by_rank(weight_coefficients(m), rank);
   });
 }
 
-using Four = std::array<const Vec3*, 4>;
-using Five = std::array<const Vec3*, 5>;
-
-// The insphere determinant is linear in the weights of its five points. The coefficient of e's weight is
-// orient3d(a,b,c,d): a heavier e is deeper inside. The determinant changes sign when two of the five points
-// are exchanged, which gives the other four coefficients: minus that orient3d with e in the place of point i.
-Four without(const Five& p, int i) {
-  Four q{p[0], p[1], p[2], p[3]};
-  if (i < 4) q[i] = p[4];
-  return q;
-}
-
-// Sign of the coefficient of point i's weight.
-int weight_sign(const Five& p, int i) {
-  const Four q = without(p, i);
-  const int sign = orient3d(*q[0], *q[1], *q[2], *q[3]);
-  return i < 4 ? -sign : sign;
-}
-
-// Sign of the sum of the coefficients of points i and j.
-int weight_sign(const Five& p, int i, int j) {
-  const Four q = without(p, i), r = without(p, j);
-  double sum = 0, size = 0;
-  bool filtered = true;
-  for (const auto& [f, negative] : {std::pair{q, i < 4}, std::pair{r, j < 4}}) {
-    const std::array<Difference<double>, 3> rows{minus(*f[1], *f[0]), minus(*f[2], *f[0]),
-                                                 minus(*f[3], *f[0])};
-    const Extents m = extents(rows);
-    const double det = orient_determinant(rows[0], rows[1], rows[2]);
-    sum += negative ? -det : det;
-    size += m.x * m.y * m.z;
-    filtered = filtered && (flat(m) || in_range(m));
-  }
-  if (filtered && std::abs(sum) > 1.1 * kOrientError * size) return sign_of(sum);
-  return with_exact_width({p[0], p[1], p[2], p[3], p[4]}, [&]<int N>(WideInt<N>, int lowest) {
-    const auto exact = [&](const Four& f, bool negative) {
-      const auto b = exact_minus<N>(*f[1], *f[0], lowest), c = exact_minus<N>(*f[2], *f[0], lowest),
-                 d = exact_minus<N>(*f[3], *f[0], lowest);
-      return negative ? orient_determinant(c, b, d) : orient_determinant(b, c, d);
-    };
-    return (exact(q, i < 4) + exact(r, j < 4)).sign();
-  });
-}
-
-// Sign of the sum of the coefficients of points order[first..end). All five sum to zero: equal weights change
-// nothing, and three or four points are minus the others.
-int class_sign(const Five& p, const std::array<int, 5>& order, int first, int end) {
-  int rest[5], n = 0;
-  for (int k = 0; k < 5; ++k) {
-    if (k < first || k >= end) rest[n++] = order[k];
-  }
-  switch (end - first) {
-    case 1:
-      return weight_sign(p, order[first]);
-    case 2:
-      return weight_sign(p, order[first], order[first + 1]);
-    case 3:
-      return -weight_sign(p, rest[0], rest[1]);
-    case 4:
-      return -weight_sign(p, rest[0]);
-    default:
-      return 0;
-  }
+/// Sign where the filter is sure of it.
+std::optional<int> insphere_filtered(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d,
+                                     const Vec3& e) {
+  const std::array<Difference<double>, 4> rows{minus(a, e), minus(b, e), minus(c, e), minus(d, e)};
+  const Extents m = extents(rows);
+  if (flat(m)) return 0;
+  if (!in_range(m)) return std::nullopt;
+  const double det = insphere_determinant(rows[0], rows[1], rows[2], rows[3]);
+  const double top = std::max({m.x, m.y, m.z});
+  if (std::abs(det) <= kInsphereError * (m.x * m.y * m.z) * (top * top)) return std::nullopt;
+  return sign_of(det);
 }
 
 }  // namespace
@@ -199,33 +187,14 @@ int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
 }
 
 int insphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e) {
-  const std::array<Difference<double>, 4> rows{minus(a, e), minus(b, e), minus(c, e), minus(d, e)};
-  const Extents m = extents(rows);
-  if (flat(m)) return 0;
-  if (in_range(m)) {
-    const double det = insphere_determinant(rows[0], rows[1], rows[2], rows[3]);
-    const double top = std::max({m.x, m.y, m.z});
-    if (std::abs(det) > kInsphereError * (m.x * m.y * m.z) * (top * top)) return sign_of(det);
-  }
-  return insphere_exact(a, b, c, d, e);
+  const std::optional<int> sign = insphere_filtered(a, b, c, d, e);
+  return sign ? *sign : insphere_exact(a, b, c, d, e, nullptr);
 }
 
-int insphere_by_rank(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e,
-                     const std::uint64_t rank[5]) {
-  const Five points{&a, &b, &c, &d, &e};
-  std::array<int, 5> order{0, 1, 2, 3, 4};  // the heaviest first
-  std::sort(order.begin(), order.end(), [&](int i, int j) { return rank[i] > rank[j]; });
-  const auto class_of = [&](int k) { return rank[order[k]] >> kRankClassShift; };
-  for (int first = 0, end; first < 5; first = end) {
-    for (end = first + 1; end < 5 && class_of(end) == class_of(first);) ++end;
-    const int sign = class_sign(points, order, first, end);
-    if (sign != 0) return sign;
-  }
-  for (const int i : order) {
-    const int sign = weight_sign(points, i);
-    if (sign != 0) return sign;
-  }
-  return 0;
+int insphere_ranked(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e,
+                    const std::uint64_t rank[5]) {
+  const std::optional<int> sign = insphere_filtered(a, b, c, d, e);
+  return sign ? *sign : insphere_exact(a, b, c, d, e, rank);
 }
 
 int insphere_on_lattice(const std::uint64_t rank[5]) {
@@ -252,27 +221,7 @@ int insphere_on_lattice(const std::uint64_t rank[5]) {
   const auto m = minors(a, b, c, d);
   const std::int64_t sphere = insphere_determinant(a, b, c, d, m);
   if (sphere != 0) return sphere > 0 ? 1 : -1;
-  // The coefficients of the five weights, as in weight_sign(): orient3d(a,b,c,e) is -abc.
-  const std::array<std::int64_t, 5> weight{-m.bcd, m.acd, -m.abd, m.abc, m.bcd - m.acd + m.abd - m.abc};
-  std::array<int, 5> order{0, 1, 2, 3, 4};  // the heaviest first
-  std::sort(order.begin(), order.end(), [&](int i, int j) { return rank[i] > rank[j]; });
-  for (int first = 0, end; first < 5; first = end) {
-    std::int64_t sum = 0;
-    for (end = first;
-         end < 5 && rank[order[end]] >> kRankClassShift == rank[order[first]] >> kRankClassShift;)
-      sum += weight[order[end++]];
-    if (sum != 0) return sum > 0 ? 1 : -1;
-  }
-  for (const int i : order) {
-    if (weight[i] != 0) return weight[i] > 0 ? 1 : -1;
-  }
-  return 0;
-}
-
-int insphere_ranked(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e,
-                    const std::uint64_t rank[5]) {
-  const int sign = insphere(a, b, c, d, e);
-  return sign != 0 ? sign : insphere_by_rank(a, b, c, d, e, rank);
+  return sign_by_rank(weight_coefficients(m), rank);
 }
 
 }  // namespace octet

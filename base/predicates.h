@@ -25,11 +25,6 @@ namespace octet {
 [[nodiscard]] int insphere_ranked(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e,
                                   const std::uint64_t rank[5]);
 
-/// The tie-break alone: insphere_ranked() for five points known to be cospherical (insphere() = 0), so that
-/// callers need not fetch ranks before there is a tie.
-[[nodiscard]] int insphere_by_rank(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e,
-                                   const std::uint64_t rank[5]);
-
 /// insphere_ranked() for five octree vertices, told by their ranks alone: in 64-bit integers, without the
 /// points. 0 when it cannot tell: one of the five is no octree vertex, or they are farther apart than 2^11
 /// times their common spacing. Requires distinct ranks and abcd not coplanar.

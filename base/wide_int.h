@@ -72,7 +72,14 @@ struct WideInt {
 template <int N, int M>
 [[nodiscard]] WideInt<N + M> operator*(const WideInt<N>& a, const WideInt<M>& b) {
   __extension__ using Double = unsigned __int128;
+  __extension__ using Signed = __int128;
   WideInt<N + M> r;
+  if constexpr (N == 1 && M == 1) {
+    const auto t = static_cast<Double>(static_cast<Signed>(static_cast<std::int64_t>(a.limb[0])) *
+                                       static_cast<std::int64_t>(b.limb[0]));
+    r.limb = {static_cast<std::uint64_t>(t), static_cast<std::uint64_t>(t >> 64)};
+    return r;
+  }
   for (int i = 0; i < N; ++i) {
     std::uint64_t carry = 0;
     for (int j = 0; j < M; ++j) {

@@ -18,8 +18,7 @@ bool in_sphere(const Complex& complex, TetId t, const Vec3& point, std::uint64_t
   if (const int sign = insphere_on_lattice(ranks); sign != 0) return sign > 0;
   const Vec3 &a = complex.point(v[0]), &b = complex.point(v[1]), &c = complex.point(v[2]),
              &d = complex.point(v[3]);
-  const int sign = insphere(a, b, c, d, point);
-  return sign != 0 ? sign > 0 : insphere_by_rank(a, b, c, d, point, ranks) > 0;
+  return insphere_ranked(a, b, c, d, point, ranks) > 0;
 }
 
 // Breadth-first search over conflicting tetrahedra. `first_visit(t)` is asked once per meeting and tells
