@@ -36,6 +36,7 @@ double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
 struct PieceMeasure {
   double chord = 0.0;
   double sagitta = 0.0;  ///< largest distance of the curve from the chord, at three places
+  double excess = 0.0;   ///< length of the curve beyond the chord
 };
 
 PieceMeasure measure_piece(const ClaimInput& in, std::uint32_t e) {
@@ -50,6 +51,7 @@ PieceMeasure measure_piece(const ClaimInput& in, std::uint32_t e) {
   for (const double s : {0.25, 0.5, 0.75})
     m.sagitta = std::max(m.sagitta, distance_to_segment(in.model.edge_point(tag, ta + s * (tb - ta)),
                                                         in.point(a), in.point(b)));
+  m.excess = in.model.edge_length(tag, ta, tb) - m.chord;
   return m;
 }
 
@@ -62,7 +64,8 @@ struct EdgeSums {
 };
 
 // An arc of sagitta s over a chord c is longer by 8 s^2 / (3 c), and has the area 2 s c / 3. An S of the same
-// sagitta is longer by four times as much: hence 11. The shares of c bound what a piece that leaves the curve
+// sagitta is longer by four times as much: hence 11. Where the curve bends between the places that the
+// sagitta is taken at, its own length tells. The shares of c bound what a piece that leaves the curve
 // altogether may claim for itself.
 EdgeSums edge_sums(const ClaimInput& in, int tag) {
   EdgeSums sums;
@@ -70,7 +73,8 @@ EdgeSums edge_sums(const ClaimInput& in, int tag) {
     const PieceMeasure m = measure_piece(in, e);
     sums.chords += m.chord;
     if (m.chord <= 0.0) continue;
-    sums.length_error += std::min(11.0 * m.sagitta * m.sagitta / m.chord, 0.3 * m.chord);
+    sums.length_error +=
+        std::min(std::max(11.0 * m.sagitta * m.sagitta / m.chord, 1.1 * m.excess), 0.3 * m.chord);
     sums.area_error += 1.4 * std::min(m.sagitta, 0.5 * m.chord) * m.chord;
     sums.volume_error += 2.0 * std::pow(std::min(m.sagitta, 0.5 * m.chord), 2) * m.chord;
   }
