@@ -74,7 +74,7 @@ class FacetBvhBuilder {
   FacetBvhBuilder(FacetBvh& bvh, const Facets& facets) : bvh_(bvh), facets_(facets) {}
 
   void build(int faces) {
-    fill_items(faces);
+    fill_items();
     bvh_.face_root_.assign(faces + 1, -1);
     std::vector<Leaf> tops;
     for (std::size_t begin = 0; begin < order_.size();) {
@@ -99,16 +99,13 @@ class FacetBvhBuilder {
   };
   using MakeLeaf = std::int32_t (FacetBvhBuilder::*)(std::span<Leaf>);
 
-  void fill_items(int faces) {
-    bvh_.face_grow_.assign(faces + 1, 0.0);
+  void fill_items() {
     for (std::uint32_t i = 0; i < facets_.triangles.size(); ++i) {
       const auto& t = facets_.triangles[i];
       Box3 box;
       for (const auto node : t) box.add(facets_.nodes[node]);
       const double grow = bvh_.grow_[i];
       order_.push_back({box.grown(grow), box.centre(), i});
-      double& most = bvh_.face_grow_[facets_.face[i]];
-      most = std::max(most, grow);
       bvh_.max_grow_ = std::max(bvh_.max_grow_, grow);
     }
     std::stable_sort(order_.begin(), order_.end(), [&](const Leaf& a, const Leaf& b) {
@@ -255,14 +252,33 @@ bool FacetBvh::segment_meets(const Item& item, const Vec3& p, const Vec3& q) {
   return true;
 }
 
-double FacetBvh::squared_distance(const Node& node, const Vec3& p) {
-  double sum = 0.0;
-  for (int k = 0; k < 3; ++k) {
-    const double d =
-        std::max({static_cast<double>(node.lo[k]) - p[k], p[k] - static_cast<double>(node.hi[k]), 0.0});
-    sum += d * d;
+void FacetBvh::near(const Vec3& p, double max_distance, int face, std::vector<FacetFoot>& feet) const {
+  const std::int32_t root = root_of(face);
+  if (root < 0) return;
+  const std::size_t first = feet.size();
+  double reach = max_distance;
+  NearStack stack;
+  stack.entry[stack.size++] = {root, squared_distance(nodes_[root], p)};
+  while (stack.size > 0) {
+    const auto [index, d2] = stack.entry[--stack.size];
+    if (d2 > reach * reach) continue;
+    const Node& node = nodes_[index];
+    if (node.second >= 0) {
+      stack.push(*this, node, p, reach * reach);
+      continue;
+    }
+    for (std::int32_t i = node.first; i < node.first - node.second; ++i) {
+      const Item& item = items_[i];
+      if (item.height(p) > reach + item.grow) continue;
+      const FacetFoot near = foot(item, p);
+      if (near.distance > reach + item.grow) continue;
+      feet.push_back(near);
+      reach = std::min(reach, near.distance + item.grow);
+    }
   }
-  return sum;
+  const auto too_far = [&](const FacetFoot& f) { return f.distance > reach + grow_[f.triangle]; };
+  feet.erase(std::remove_if(feet.begin() + static_cast<std::ptrdiff_t>(first), feet.end(), too_far),
+             feet.end());
 }
 
 FacetFoot FacetBvh::foot(const Item& item, const Vec3& p) {

@@ -2,6 +2,7 @@
 // A box hierarchy over the facets: finds candidates and seeds for the exact queries.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -47,6 +48,9 @@ class FacetBvh {
   /// asked after that.
   template <class Accept>
   bool any_in_box(const Box3& box, const Accept& accept) const;
+  /// Appends the triangles that may hold the boundary's nearest point to p, which is no farther than
+  /// `max_distance`: each triangle's distance, less its growth, is at most the least distance plus growth.
+  void near(const Vec3& p, double max_distance, int face, std::vector<FacetFoot>& feet) const;
   /// Whether a triangle's grown box and grown plane meet the box.
   [[nodiscard]] bool meets(const Box3& box) const {
     return any_in_box(box, [](std::uint32_t) { return true; });
@@ -63,7 +67,6 @@ class FacetBvh {
 
   [[nodiscard]] double grow(std::uint32_t triangle) const { return grow_[triangle]; }
   [[nodiscard]] double max_grow() const { return max_grow_; }
-  [[nodiscard]] double max_grow(int face) const { return face_grow_[face]; }
 
  private:
   struct Node {
@@ -85,6 +88,22 @@ class FacetBvh {
     void push(std::int32_t n) { node[size++] = n; }
     std::int32_t pop() { return node[--size]; }
   };
+  /// Nodes still to visit, the nearer child of each pair on top.
+  struct NearStack {
+    struct Entry {
+      std::int32_t node;
+      double d2;
+    };
+    std::array<Entry, 128> entry;
+    int size = 0;
+    void push(const FacetBvh& bvh, const Node& parent, const Vec3& p, double most) {
+      Entry near{parent.first, squared_distance(bvh.nodes_[parent.first], p)};
+      Entry far{parent.second, squared_distance(bvh.nodes_[parent.second], p)};
+      if (far.d2 < near.d2) std::swap(near, far);
+      if (far.d2 <= most) entry[size++] = far;
+      if (near.d2 <= most) entry[size++] = near;
+    }
+  };
 
   friend class FacetBvhBuilder;
   [[nodiscard]] std::int32_t root_of(int face) const { return face == 0 ? root_ : face_root_[face]; }
@@ -97,10 +116,21 @@ class FacetBvh {
   std::vector<Node> nodes_;
   std::vector<Item> items_;
   std::vector<std::int32_t> face_root_;  ///< -1: a face without facets
-  std::vector<double> grow_, face_grow_;
+  std::vector<double> grow_;
   std::int32_t root_ = -1;
   double max_grow_ = 0.0;
 };
+
+inline double FacetBvh::squared_distance(const Node& node, const Vec3& p) {
+  double sum = 0.0;
+  for (int k = 0; k < 3; ++k) {
+    const double below = static_cast<double>(node.lo[k]) - p[k],
+                 above = p[k] - static_cast<double>(node.hi[k]);
+    const double d = std::max(std::max(below, above), 0.0);
+    sum += d * d;
+  }
+  return sum;
+}
 
 template <class Visit>
 void FacetBvh::visit_segment(const Vec3& p, const Vec3& q, const Visit& visit) const {
@@ -173,23 +203,14 @@ std::optional<FacetFoot> FacetBvh::nearest_if(const Vec3& p, double max_distance
   best.distance = max_distance;
   bool found = false;
   double best2 = max_distance < 1e150 ? max_distance * max_distance : std::numeric_limits<double>::infinity();
-  struct Entry {
-    std::int32_t node;
-    double d2;
-  };
-  std::array<Entry, 128> stack;
-  int size = 0;
-  stack[size++] = {root, squared_distance(nodes_[root], p)};
-  while (size > 0) {
-    const Entry entry = stack[--size];
-    if (entry.d2 > best2) continue;
-    const Node& node = nodes_[entry.node];
+  NearStack stack;
+  stack.entry[stack.size++] = {root, squared_distance(nodes_[root], p)};
+  while (stack.size > 0) {
+    const auto [index, d2] = stack.entry[--stack.size];
+    if (d2 > best2) continue;
+    const Node& node = nodes_[index];
     if (node.second >= 0) {
-      Entry near{node.first, squared_distance(nodes_[node.first], p)};
-      Entry far{node.second, squared_distance(nodes_[node.second], p)};
-      if (far.d2 < near.d2) std::swap(near, far);
-      if (far.d2 <= best2) stack[size++] = far;
-      if (near.d2 <= best2) stack[size++] = near;
+      stack.push(*this, node, p, best2);
       continue;
     }
     for (std::int32_t i = node.first; i < node.first - node.second; ++i) {

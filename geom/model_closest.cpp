@@ -22,12 +22,8 @@ class ClosestQuery {
   ClosestQuery(const Model::Data& data, const Vec3& p, int face) : data_(data), p_(p), face_(face) {}
 
   std::optional<Foot> run(double max_distance) {
-    const double grow = face_ == 0 ? data_.bvh.max_grow() : data_.bvh.max_grow(face_);
-    const auto nearest = data_.bvh.nearest(p_, max_distance + grow, face_);
-    if (!nearest) return std::nullopt;
-    // Some exact point lies within the facet's growth of it, so the foot is no farther than this.
-    const double reach = nearest->distance + data_.bvh.grow(nearest->triangle);
-    data_.bvh.visit_within(p_, reach, face_, [&](const FacetFoot& f) { near_.push_back(f); });
+    data_.bvh.near(p_, max_distance, face_, near_);
+    if (near_.empty()) return std::nullopt;
     std::sort(near_.begin(), near_.end(), [&](const FacetFoot& a, const FacetFoot& b) {
       const int fa = face_of(a), fb = face_of(b);
       if (fa != fb) return fa < fb;
@@ -40,7 +36,7 @@ class ClosestQuery {
       while (end < near_.size() && face_of(near_[end]) == face_of(near_[begin])) ++end;
       meet_face(std::span(near_).subspan(begin, end - begin));
     }
-    if (best_.distance == kInfinity) take_untrimmed(*nearest);
+    if (best_.distance == kInfinity) take_untrimmed(nearest_facet());
     if (best_.distance > max_distance) return std::nullopt;
     if (best_.on.dim == 2) settle_on_edge();
     if (best_.on.dim == 1) settle_on_vertex(best_.on.tag);
@@ -49,6 +45,12 @@ class ClosestQuery {
 
  private:
   [[nodiscard]] int face_of(const FacetFoot& f) const { return data_.facets().face[f.triangle]; }
+
+  [[nodiscard]] const FacetFoot& nearest_facet() const {
+    return *std::min_element(near_.begin(), near_.end(), [](const FacetFoot& a, const FacetFoot& b) {
+      return a.distance != b.distance ? a.distance < b.distance : a.triangle < b.triangle;
+    });
+  }
 
   void meet_edges() {
     struct Nearest {

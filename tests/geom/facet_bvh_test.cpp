@@ -55,6 +55,33 @@ TEST(FacetBvh, VisitWithinFindsAllThatAreNear) {
   }
 }
 
+TEST(FacetBvh, NearGivesJustThoseThatMayHoldTheNearestPoint) {
+  for (const auto& s : test::all_samples({}, 0.05)) {
+    const Facets& f = s.model.facets();
+    const FacetBvh& bvh = s.model.bvh();
+    Dice dice(7);
+    for (int i = 0; i < 100; ++i) {
+      const Vec3 p = dice.in(s.model.box());
+      const double limit = (i % 2 == 0 ? 1.0 : 0.02) * s.model.diagonal();
+      std::vector<double> distance;
+      double reach = limit;
+      for (std::uint32_t t = 0; t < f.triangles.size(); ++t) {
+        const auto& n = f.triangles[t];
+        distance.push_back(closest_on_triangle(p, f.nodes[n[0]], f.nodes[n[1]], f.nodes[n[2]]).distance);
+        reach = std::min(reach, distance.back() + bvh.grow(t));
+      }
+      std::set<std::uint32_t> expected, found;
+      for (std::uint32_t t = 0; t < distance.size(); ++t)
+        if (distance[t] <= reach + bvh.grow(t)) expected.insert(t);
+      std::vector<FacetFoot> feet;
+      bvh.near(p, limit, 0, feet);
+      for (const FacetFoot& foot : feet) found.insert(foot.triangle);
+      ASSERT_EQ(found, expected) << s.name;
+      ASSERT_EQ(found.size(), feet.size());
+    }
+  }
+}
+
 TEST(FacetBvh, SegmentVisitsEveryTriangleThatItPierces) {
   for (const auto& s : test::all_samples(test::tilted_frame(), 0.05)) {
     const Facets& f = s.model.facets();
