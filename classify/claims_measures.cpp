@@ -36,7 +36,7 @@ double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
 struct PieceMeasure {
   double chord = 0.0;
   double sagitta = 0.0;  ///< largest distance of the curve from the chord, at three places
-  double excess = 0.0;   ///< length of the curve beyond the chord
+  double excess = 0.0;   ///< length of the curve beyond its own chord
 };
 
 PieceMeasure measure_piece(const ClaimInput& in, std::uint32_t e) {
@@ -51,7 +51,8 @@ PieceMeasure measure_piece(const ClaimInput& in, std::uint32_t e) {
   for (const double s : {0.25, 0.5, 0.75})
     m.sagitta = std::max(m.sagitta, distance_to_segment(in.model.edge_point(tag, ta + s * (tb - ta)),
                                                         in.point(a), in.point(b)));
-  m.excess = in.model.edge_length(tag, ta, tb) - m.chord;
+  m.excess = in.model.edge_length(tag, ta, tb) -
+             (in.model.edge_point(tag, tb) - in.model.edge_point(tag, ta)).norm();
   return m;
 }
 
