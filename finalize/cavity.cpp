@@ -249,15 +249,28 @@ void forget_vertex(WorkMesh& mesh, VertexId v) {
 bool move_vertex(WorkMesh& mesh, VertexId v, const Vec3& place, std::span<const TetId> star) {
   const Vec3 before = mesh.points[v];
   mesh.points[v] = place;
+  std::vector<double> shapes;
+  shapes.reserve(star.size());
   for (const TetId t : star) {
+    shapes.push_back(shape(mesh.point(t, 0), mesh.point(t, 1), mesh.point(t, 2), mesh.point(t, 3)));
+  }
+  mesh.points[v] = before;
+  return move_vertex(mesh, v, place, star, shapes);
+}
+
+bool move_vertex(WorkMesh& mesh, VertexId v, const Vec3& place, std::span<const TetId> star,
+                 std::span<const double> shapes) {
+  const Vec3 before = mesh.points[v];
+  mesh.points[v] = place;
+  for (std::size_t i = 0; i < star.size(); ++i) {
+    const TetId t = star[i];
+    if (shapes[i] > kSurelyPositive) continue;
     if (orient3d(mesh.point(t, 0), mesh.point(t, 1), mesh.point(t, 2), mesh.point(t, 3)) <= 0) {
       mesh.points[v] = before;
       return false;
     }
   }
-  for (const TetId t : star) {
-    mesh.quality[t] = shape(mesh.point(t, 0), mesh.point(t, 1), mesh.point(t, 2), mesh.point(t, 3));
-  }
+  for (std::size_t i = 0; i < star.size(); ++i) mesh.quality[star[i]] = shapes[i];
   return true;
 }
 

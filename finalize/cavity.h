@@ -48,5 +48,8 @@ void forget_vertex(WorkMesh& mesh, VertexId v);
 /// Moves the vertex and brings the qualities of its star up to date. False, and nothing moved, when a
 /// tetrahedron would not be positive by the exact sign.
 [[nodiscard]] bool move_vertex(WorkMesh& mesh, VertexId v, const Vec3& place, std::span<const TetId> star);
+/// The same where the shapes that the star will have are known.
+[[nodiscard]] bool move_vertex(WorkMesh& mesh, VertexId v, const Vec3& place, std::span<const TetId> star,
+                               std::span<const double> shapes);
 
 }  // namespace octet

@@ -20,10 +20,24 @@ constexpr int kMaxRim = 10;
 /// A stretch of the rim within one region; where it is bounded by two triangles on a model face, the chord
 /// from its last vertex to its first closes it.
 struct Sector {
-  std::vector<VertexId> rim;
+  std::array<VertexId, kMaxRim + 1> rim;
+  int count = 0;
   std::int32_t region = 0;
   std::int32_t face_on =
       0;  ///< signed tag of both bounding triangles as seen from the sector; 0: a full ring
+
+  [[nodiscard]] VertexId first() const { return rim[0]; }
+  [[nodiscard]] VertexId last() const { return rim[static_cast<std::size_t>(count) - 1]; }
+};
+
+/// The one or two sectors of an edge's surroundings.
+struct Sectors {
+  std::array<Sector, 2> list;
+  std::size_t count = 0;
+
+  [[nodiscard]] const Sector& operator[](std::size_t i) const { return list[i]; }
+  [[nodiscard]] const Sector* begin() const { return list.data(); }
+  [[nodiscard]] const Sector* end() const { return list.data() + count; }
 };
 
 /// The best triangulation of the polygon rim[0..n-1] [Klincsek's dynamic programming]: split[i][j] is the
@@ -31,36 +45,44 @@ struct Sector {
 struct Triangulation2D {
   double value = 0.0;
   std::uint64_t work = 0;  ///< evaluations of `shape`
-  std::array<std::array<std::int8_t, kMaxRim + 1>, kMaxRim + 1> split{};
+  std::array<std::array<std::int8_t, kMaxRim + 1>, kMaxRim + 1> split;
 };
 
-bool collect_sectors(const WorkMesh& mesh, const EdgeRing& ring, std::vector<Sector>& sectors) {
+/// The stretch of the rim from number `from` to `to`, around the ring where that is closed.
+void add_sector(const WorkMesh& mesh, const EdgeRing& ring, std::size_t from, std::size_t to,
+                Sectors& sectors) {
+  Sector& sector = sectors.list[sectors.count++];
+  sector.count = 0;
+  for (std::size_t i = from; i <= to; ++i) {
+    sector.rim[static_cast<std::size_t>(sector.count++)] = ring.rim[i % ring.rim.size()];
+  }
+  sector.region = mesh.region[ring.tets[from]];
+  sector.face_on = ring.face_on[from];
+}
+
+bool collect_sectors(const WorkMesh& mesh, const EdgeRing& ring, Sectors& sectors) {
   const std::size_t n = ring.rim.size();
   if (n > kMaxRim + 1) return false;
-  std::vector<std::size_t> walls;
+  sectors.count = 0;
+  std::array<std::size_t, 2> walls{};
+  std::size_t found = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    if (ring.face_on[i] != 0) walls.push_back(i);
+    if (ring.face_on[i] == 0) continue;
+    if (found == 2) return false;
+    walls[found++] = i;
   }
-  if (walls.empty()) {
+  if (found == 0) {
     if (n < 3 || !ring.closed) return false;
-    sectors.push_back({ring.rim, mesh.region[ring.tets[0]], 0});
+    add_sector(mesh, ring, 0, n - 1, sectors);
     return true;
   }
-  if (walls.size() != 2 || std::abs(ring.face_on[walls[0]]) != std::abs(ring.face_on[walls[1]])) return false;
-  const auto [p, q] = std::pair(walls[0], walls[1]);
+  const auto [p, q] = walls;
+  if (found != 2 || std::abs(ring.face_on[p]) != std::abs(ring.face_on[q])) return false;
   // On a closed ring the second wall is seen from the tetrahedron behind it, so its sign is turned.
   if (ring.face_on[p] != (ring.closed ? -ring.face_on[q] : ring.face_on[q])) return false;
-  sectors.push_back({{ring.rim.begin() + static_cast<std::ptrdiff_t>(p),
-                      ring.rim.begin() + static_cast<std::ptrdiff_t>(q) + 1},
-                     mesh.region[ring.tets[p]],
-                     ring.face_on[p]});
-  if (ring.closed) {
-    Sector other{{}, mesh.region[ring.tets[q]], ring.face_on[q]};
-    for (std::size_t i = q; i <= p + n; ++i) other.rim.push_back(ring.rim[i % n]);
-    sectors.push_back(other);
-  } else if (p != 0 || q + 1 != n) {
-    return false;
-  }
+  if (!ring.closed && (p != 0 || q + 1 != n)) return false;
+  add_sector(mesh, ring, p, q, sectors);
+  if (ring.closed) add_sector(mesh, ring, q, p + n, sectors);
   return true;
 }
 
@@ -72,17 +94,17 @@ struct Aim {
 
   [[nodiscard]] double of_none() const { return mean ? 0.0 : 1.0; }
   [[nodiscard]] double join(double p, double q) const { return mean ? p + q : std::min(p, q); }
-  /// -1 (worst) or minus infinity (mean) for what may not be.
-  [[nodiscard]] double of(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) const {
-    const double value = shape(a, b, c, d);
-    if (!mean) return value;
-    return value > floor ? merit(a, b, c, d) : -std::numeric_limits<double>::infinity();
+  /// Minus infinity (mean) for what is not above `least` or may not be.
+  [[nodiscard]] double of(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, double least) const {
+    if (!mean) return shape(a, b, c, d);
+    const double value = merit(a, b, c, d);
+    return value > least && shape(a, b, c, d) > floor ? value : -std::numeric_limits<double>::infinity();
   }
 };
 
 Triangulation2D triangulate(const WorkMesh& mesh, const EdgeRing& ring, const Sector& sector,
                             const Aim& aim) {
-  const int n = static_cast<int>(sector.rim.size());
+  const int n = sector.count;
   const Vec3 &a = mesh.points[ring.a], &b = mesh.points[ring.b];
   std::array<Vec3, kMaxRim + 1> p;
   for (int i = 0; i < n; ++i) p[i] = mesh.points[sector.rim[i]];
@@ -100,10 +122,10 @@ Triangulation2D triangulate(const WorkMesh& mesh, const EdgeRing& ring, const Se
         const double bar = aim.mean ? best[i][j] : std::max(best[i][j], aim.floor);
         const double hope = aim.mean ? kMeritOfPerfect : 0.0;
         if (value + 2.0 * hope <= bar) continue;
-        value = aim.join(value, aim.of(p[i], p[k], p[j], b));
+        value = aim.join(value, aim.of(p[i], p[k], p[j], b, bar - value - hope));
         ++result.work;
         if (value + hope <= bar) continue;
-        value = aim.join(value, aim.of(p[i], p[j], p[k], a));
+        value = aim.join(value, aim.of(p[i], p[j], p[k], a, bar - value));
         ++result.work;
         if (value <= bar) continue;
         best[i][j] = value;
@@ -132,7 +154,7 @@ struct SurfaceSwap {
 };
 
 SurfaceSwap surface_swap(const EdgeRing& ring, const Sector& sector) {
-  const VertexId s = sector.rim.front(), e = sector.rim.back(), a = ring.a, b = ring.b;
+  const VertexId s = sector.first(), e = sector.last(), a = ring.a, b = ring.b;
   const int face = std::abs(sector.face_on);
   // As listed, the normals point out of the sector.
   SurfaceSwap swap{{NewTriangle{{b, a, s}, face}, NewTriangle{{a, b, e}, face}},
@@ -161,13 +183,13 @@ bool swap_fits(const Workshop& shop, const SurfaceSwap& swap) {
 
 /// The chord from the first to the last vertex must be new, or, where it is the far edge of a tetrahedron
 /// that is dropped, have nothing on the model around it: else the surface would touch itself along it.
-bool chord_is_free(Workshop& shop, const std::vector<Sector>& sectors) {
-  const VertexId s = sectors[0].rim.front(), e = sectors[0].rim.back();
+bool chord_is_free(Workshop& shop, const Sectors& sectors) {
+  const VertexId s = sectors[0].first(), e = sectors[0].last();
   if (shop.mesh.frozen[s] || shop.mesh.frozen[e]) return false;
   const TetId t = tet_with_edge(shop.mesh, s, e);
   if (!t.valid()) return true;
   const bool drops =
-      std::any_of(sectors.begin(), sectors.end(), [](const Sector& x) { return x.rim.size() == 2; });
+      std::any_of(sectors.begin(), sectors.end(), [](const Sector& x) { return x.count == 2; });
   if (!drops) return false;
   EdgeRing around;
   edge_ring(shop.mesh, t, s, e, around);
@@ -176,31 +198,26 @@ bool chord_is_free(Workshop& shop, const std::vector<Sector>& sectors) {
 }
 
 /// The change of each sector's region by a surface swap on a curved face; none on a planar one.
-std::vector<VolumeChange> volume_changes(const Workshop& shop, const std::vector<Sector>& sectors,
-                                         const EdgeRing& ring) {
+std::vector<VolumeChange> volume_changes(const Workshop& shop, const Sectors& sectors, const EdgeRing& ring) {
   if (sectors[0].face_on == 0 || shop.guard.planar(std::abs(sectors[0].face_on))) return {};
   const WorkMesh& mesh = shop.mesh;
-  const VertexId s = sectors[0].rim.front(), e = sectors[0].rim.back();
+  const VertexId s = sectors[0].first(), e = sectors[0].last();
   // What the first sector loses is the tetrahedron between the two pairs of triangles; the other gains it.
   const double lost = signed_volume(mesh.points[ring.a], mesh.points[ring.b], mesh.points[s], mesh.points[e]);
   std::vector<VolumeChange> changes{{sectors[0].region, -lost}};
-  if (sectors.size() > 1) changes.push_back({sectors[1].region, lost});
+  if (sectors.count > 1) changes.push_back({sectors[1].region, lost});
   return changes;
 }
 
 struct Plan {
-  EdgeRing ring;
-  std::vector<Sector> sectors;
-  std::vector<Triangulation2D> triangulations;
+  Sectors sectors;
+  std::array<Triangulation2D, 2> triangulations;
   double value = 0.0;
   std::uint64_t work = 0;
 };
 
 /// An operation for the mean must win this much.
 constexpr double kLeastMeritGain = 0.02;
-/// Rings whose tetrahedra have this merit on average are left alone, and those beyond so many vertices.
-constexpr double kSatisfied = 0.0;
-constexpr std::size_t kMaxRimForMean = 7;
 
 double merit_of(const WorkMesh& mesh, const std::vector<TetId>& tets) {
   double sum = 0.0;
@@ -211,45 +228,41 @@ double merit_of(const WorkMesh& mesh, const std::vector<TetId>& tets) {
 
 /// Plans to remove the edge of plan.ring for a value above `least`, as far as shapes and geometry go; whether
 /// the surface would touch itself is left to `carry_out`.
-bool fill_plan(const Workshop& shop, const Aim& aim, double least, Plan& plan) {
+bool fill_plan(const Workshop& shop, const EdgeRing& ring, const Aim& aim, double least, Plan& plan) {
   const WorkMesh& mesh = shop.mesh;
-  const VertexId a = plan.ring.a, b = plan.ring.b;
-  if (piece_on(mesh, a, b) != 0 || (mesh.frozen[a] && mesh.frozen[b])) return false;
-  if (!collect_sectors(mesh, plan.ring, plan.sectors)) return false;
+  if (piece_on(mesh, ring.a, ring.b) != 0 || (mesh.frozen[ring.a] && mesh.frozen[ring.b])) return false;
+  if (!collect_sectors(mesh, ring, plan.sectors)) return false;
   plan.value = aim.of_none();
-  for (const Sector& sector : plan.sectors) {
-    plan.triangulations.push_back(triangulate(mesh, plan.ring, sector, aim));
-    plan.value = aim.join(plan.value, plan.triangulations.back().value);
-    plan.work += plan.triangulations.back().work;
+  for (std::size_t i = 0; i < plan.sectors.count; ++i) {
+    plan.triangulations[i] = triangulate(mesh, ring, plan.sectors[i], aim);
+    plan.value = aim.join(plan.value, plan.triangulations[i].value);
+    plan.work += plan.triangulations[i].work;
     if (!aim.mean && plan.value <= least) return false;
   }
   if (plan.value <= least) return false;
-  if (plan.sectors[0].face_on == 0) return true;
-  return swap_fits(shop, surface_swap(plan.ring, plan.sectors[0]));
+  return plan.sectors[0].face_on == 0 || swap_fits(shop, surface_swap(ring, plan.sectors[0]));
 }
 
 bool plan_for_mean(const Workshop& shop, const EdgeRing& ring, double floor, Plan& plan) {
-  const double merits = merit_of(shop.mesh, ring.tets);
-  if (ring.rim.size() > kMaxRimForMean || merits > kSatisfied * static_cast<double>(ring.tets.size()))
-    return false;
-  plan.ring = ring;
-  return fill_plan(shop, {true, floor}, merits + kLeastMeritGain, plan);
+  double worst = 1.0;
+  for (const TetId t : ring.tets) worst = std::min(worst, shop.mesh.quality[t]);
+  return fill_plan(shop, ring, {true, std::min(floor, better_than(worst))},
+                   merit_of(shop.mesh, ring.tets) + kLeastMeritGain, plan);
 }
 
-bool carry_out(Workshop& shop, const Plan& plan) {
+bool carry_out(Workshop& shop, const EdgeRing& ring, const Plan& plan) {
   if (plan.sectors[0].face_on != 0 && !chord_is_free(shop, plan.sectors)) return false;
   std::vector<NewTet> added;
-  for (std::size_t i = 0; i < plan.sectors.size(); ++i) {
-    emit(plan.ring, plan.sectors[i], plan.triangulations[i], 0,
-         static_cast<int>(plan.sectors[i].rim.size()) - 1, added);
+  for (std::size_t i = 0; i < plan.sectors.count; ++i) {
+    emit(ring, plan.sectors[i], plan.triangulations[i], 0, plan.sectors[i].count - 1, added);
   }
-  CavityChange change{plan.ring.tets, added};
+  CavityChange change{ring.tets, added};
   SurfaceSwap swap;
   if (plan.sectors[0].face_on != 0) {
-    swap = surface_swap(plan.ring, plan.sectors[0]);
+    swap = surface_swap(ring, plan.sectors[0]);
     change.triangles = swap.after;
   }
-  const std::vector<VolumeChange> volumes = volume_changes(shop, plan.sectors, plan.ring);
+  const std::vector<VolumeChange> volumes = volume_changes(shop, plan.sectors, ring);
   if (!shop.guard.admits(volumes) || !replace_cavity(shop.mesh, change, shop.made)) return false;
   shop.guard.take(volumes);
   ++shop.report.edge_removals;
@@ -260,8 +273,8 @@ bool carry_out(Workshop& shop, const Plan& plan) {
 
 double edge_removal_shape(Workshop& shop, TetId t, VertexId a, VertexId b, double floor) {
   Plan plan;
-  edge_ring(shop.mesh, t, a, b, plan.ring);
-  const bool better = fill_plan(shop, {false, floor}, floor, plan);
+  edge_ring(shop.mesh, t, a, b, shop.ring);
+  const bool better = fill_plan(shop, shop.ring, {false, floor}, floor, plan);
   shop.work += plan.work;
   const bool free = better && (plan.sectors[0].face_on == 0 || chord_is_free(shop, plan.sectors));
   return free ? plan.value : 0.0;
@@ -269,10 +282,10 @@ double edge_removal_shape(Workshop& shop, TetId t, VertexId a, VertexId b, doubl
 
 bool remove_edge(Workshop& shop, TetId t, VertexId a, VertexId b, double floor) {
   Plan plan;
-  edge_ring(shop.mesh, t, a, b, plan.ring);
-  const bool better = fill_plan(shop, {false, floor}, floor, plan);
+  edge_ring(shop.mesh, t, a, b, shop.ring);
+  const bool better = fill_plan(shop, shop.ring, {false, floor}, floor, plan);
   shop.work += plan.work;
-  return better && carry_out(shop, plan);
+  return better && carry_out(shop, shop.ring, plan);
 }
 
 bool edge_removal_raises_mean(const Workshop& shop, const EdgeRing& ring, double floor) {
@@ -282,7 +295,7 @@ bool edge_removal_raises_mean(const Workshop& shop, const EdgeRing& ring, double
 
 bool remove_edge_for_mean(Workshop& shop, const EdgeRing& ring, double floor) {
   Plan plan;
-  return plan_for_mean(shop, ring, floor, plan) && carry_out(shop, plan);
+  return plan_for_mean(shop, ring, floor, plan) && carry_out(shop, ring, plan);
 }
 
 }  // namespace octet

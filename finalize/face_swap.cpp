@@ -3,14 +3,10 @@
 #include "finalize/face_swap.h"
 
 #include "finalize/cavity.h"
-#include "finalize/mean_shape.h"
 #include "finalize/shape.h"
 
 namespace octet {
 namespace {
-
-/// A swap for the mean must win this much merit.
-constexpr double kLeastMeritGain = 0.02;
 
 struct Plan {
   std::array<TetId, 2> removed;
@@ -36,20 +32,6 @@ bool make_plan(const WorkMesh& mesh, TetId t, int face, double floor, Plan& plan
   return true;
 }
 
-double merit_of(const WorkMesh& mesh, const std::array<VertexId, 4>& v) {
-  return merit(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], mesh.points[v[3]]);
-}
-
-bool plan_for_mean(const WorkMesh& mesh, TetId t, int face, double floor, Plan& plan) {
-  const TetId n = mesh.neighbours[t][face];
-  if (!n.valid()) return false;
-  double gain = -merit_of(mesh, mesh.tets[t]) - merit_of(mesh, mesh.tets[n]);
-  // Three from two that are good already are seldom better.
-  if (gain < 0.0 || !make_plan(mesh, t, face, floor, plan)) return false;
-  for (const NewTet& tet : plan.added) gain += merit_of(mesh, tet.vertices);
-  return gain > kLeastMeritGain;
-}
-
 bool carry_out(Workshop& shop, const Plan& plan) {
   if (!replace_cavity(shop.mesh, {plan.removed, plan.added}, shop.made)) return false;
   ++shop.report.face_swaps;
@@ -63,16 +45,6 @@ bool swap_face(Workshop& shop, TetId t, int face, double floor) {
   const bool better = make_plan(shop.mesh, t, face, floor, plan);
   shop.work += plan.work;
   return better && carry_out(shop, plan);
-}
-
-bool face_swap_raises_mean(const Workshop& shop, TetId t, int face, double floor) {
-  Plan plan;
-  return plan_for_mean(shop.mesh, t, face, floor, plan);
-}
-
-bool swap_face_for_mean(Workshop& shop, TetId t, int face, double floor) {
-  Plan plan;
-  return plan_for_mean(shop.mesh, t, face, floor, plan) && carry_out(shop, plan);
 }
 
 }  // namespace octet

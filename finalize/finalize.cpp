@@ -10,7 +10,6 @@
 #include "finalize/improve.h"
 #include "finalize/relax.h"
 #include "finalize/shape.h"
-#include "mesh/forbidden.h"
 #include "mesh/quality.h"
 
 namespace octet {
@@ -27,35 +26,28 @@ constexpr double kPolishAngle = 0.611;
 /// gains nothing.
 constexpr double kChaseAngle = 0.559;
 
-DihedralRange dihedrals(const WorkMesh& mesh) {
-  DihedralRange range{std::numbers::pi, 0.0};
+/// The extreme angles of the mesh, and how many tetrahedra have one below the target.
+struct Extremes {
+  DihedralRange range{std::numbers::pi / 2, std::numbers::pi / 2};
+  std::size_t below_target = 0;
+};
+
+Extremes extremes(const WorkMesh& mesh, double target) {
+  Extremes result;
+  DihedralRange& range = result.range;
+  double of_note = 1.0;
   for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
     const TetId t(i);
-    if (!mesh.alive(t)) continue;
+    // The shape is no more than the squared sine of any of the angles.
+    if (!mesh.alive(t) || mesh.quality[t] > of_note) continue;
     const DihedralRange r =
         dihedral_range(mesh.point(t, 0), mesh.point(t, 1), mesh.point(t, 2), mesh.point(t, 3));
     range.smallest = std::min(range.smallest, r.smallest);
     range.largest = std::max(range.largest, r.largest);
+    if (r.smallest < target) ++result.below_target;
+    of_note = 1.001 * shape_of_angle(std::max({range.smallest, std::numbers::pi - range.largest, target}));
   }
-  return range;
-}
-
-/// Counts what is below the target, and how much of it the part forbids.
-void count_left(const Mesh& mesh, const FinalizeOptions& options, FinalizeReport& report) {
-  std::vector<std::size_t> left;
-  for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
-    const auto& v = mesh.tets[t];
-    const DihedralRange r =
-        dihedral_range(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], mesh.points[v[3]]);
-    if (r.smallest < options.target_dihedral) left.push_back(t);
-  }
-  report.below_target = left.size();
-  if (left.empty()) return;
-  std::vector<double> size;
-  for (const Vec3& p : mesh.points) size.push_back(options.size_at(p));
-  const std::vector<char> forbidding = forbidding_vertices(mesh, size);
-  report.limited_by_geometry = static_cast<std::size_t>(std::count_if(
-      left.begin(), left.end(), [&](std::size_t t) { return touches(mesh.tets[t], forbidding); }));
+  return result;
 }
 
 /// Works on what is below the target until nothing gives.
@@ -83,7 +75,7 @@ void raise_mean(Workshop& shop, double floor, Observer& observer) {
 FinalizeReport finalize(Mesh& mesh, const Model& model, const FinalizeOptions& options, Observer& observer) {
   OCTET_CHECK(static_cast<bool>(options.size_at));
   Workshop shop(to_work_mesh(mesh, options.fixed_vertices), model, options);
-  const DihedralRange before = dihedrals(shop.mesh);
+  const Extremes before = extremes(shop.mesh, options.target_dihedral);
   const double polish = shape_of_angle(kPolishAngle);
   collapse_short_edges(shop);
   if (options.worst_only) {
@@ -92,6 +84,7 @@ FinalizeReport finalize(Mesh& mesh, const Model& model, const FinalizeOptions& o
     chase(shop, target, polish, observer);
   } else {
     const double chased = shape_of_angle(std::max(kChaseAngle, options.target_dihedral));
+    relax_for_mean(shop, polish, 1);
     raise_mean(shop, polish, observer);
     collapse_for_mean(shop, polish);
     raise_mean(shop, polish, observer);
@@ -99,19 +92,18 @@ FinalizeReport finalize(Mesh& mesh, const Model& model, const FinalizeOptions& o
     chase(shop, chased, polish, observer);
     raise_mean(shop, polish, observer);
   }
-  shop.report.min_dihedral_before = before.smallest;
-  const DihedralRange after = dihedrals(shop.mesh);
-  if (after.smallest < before.smallest) {
+  Extremes after = extremes(shop.mesh, options.target_dihedral);
+  if (after.range.smallest < before.range.smallest) {
     // Shapes grow by the sine, which an obtuse angle may have won by: then the mesh given is the better one.
     shop.report = FinalizeReport{};
-    shop.report.min_dihedral_before = shop.report.min_dihedral_after = before.smallest;
-    shop.report.max_dihedral_after = before.largest;
+    after = before;
   } else {
-    shop.report.min_dihedral_after = after.smallest;
-    shop.report.max_dihedral_after = after.largest;
     mesh = to_mesh(shop.mesh);
   }
-  count_left(mesh, options, shop.report);
+  shop.report.min_dihedral_before = before.range.smallest;
+  shop.report.min_dihedral_after = after.range.smallest;
+  shop.report.max_dihedral_after = after.range.largest;
+  shop.report.below_target = after.below_target;
   return shop.report;
 }
 

@@ -20,7 +20,8 @@ struct FinalizeOptions {
       0.35;  ///< edges shorter than this share of the local size are collapsed where the model allows
   double max_seconds =
       0.0;  ///< 0: the built-in work budget only (deterministic; counts of operations, not time)
-  /// Works on the elements below `target_dihedral` alone: a third of the time, and good ones are not made better.
+  /// Works on the elements below `target_dihedral` alone: a third of the time, and good ones are not made
+  /// better.
   bool worst_only = false;
   /// The first so many vertices stay where they are and keep their numbers: tetrahedra that are not given
   /// here hold on to them, beyond faces that have one tetrahedron and are no triangles.
@@ -33,8 +34,7 @@ struct FinalizeOptions {
 struct FinalizeReport {
   double min_dihedral_before = 0.0, min_dihedral_after = 0.0;  ///< radians
   double max_dihedral_after = 0.0;
-  std::size_t below_target = 0;         ///< elements still below target_dihedral
-  std::size_t limited_by_geometry = 0;  ///< of these: at a CAD angle or thin wall that forbids better
+  std::size_t below_target = 0;  ///< elements still below target_dihedral
   std::size_t smoothed = 0, edge_removals = 0, face_swaps = 0, collapses = 0, splits = 0;
   bool budget_spent = false;
 };

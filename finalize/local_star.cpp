@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <optional>
 
-#include "finalize/shape.h"
+#include "finalize/workshop.h"
 
 namespace octet {
 namespace {
@@ -45,29 +45,33 @@ void collect_triangles(const WorkMesh& mesh, TetId t, VertexId v, std::vector<St
 
 }  // namespace
 
-LocalStar local_star(const Workshop& shop, VertexId v, std::span<const TetId> tets) {
+void local_star(const Workshop& shop, VertexId v, std::span<const TetId> tets, LocalStar& star) {
   const WorkMesh& mesh = shop.mesh;
-  LocalStar star;
   star.on = mesh.on[v];
-  star.bases.reserve(tets.size());
+  star.work = 0;
+  star.bases.clear();
+  star.triangles.clear();
+  star.faces.clear();
   for (const TetId t : tets) {
     const auto& f = kTetFace[corner_of(mesh, t, v)];
-    star.bases.push_back({mesh.point(t, f[0]), mesh.point(t, f[2]), mesh.point(t, f[1])});
-    for (const Vec3& p : star.bases.back()) star.length += (p - mesh.points[v]).norm();
+    star.bases.add(mesh.point(t, f[0]), mesh.point(t, f[2]), mesh.point(t, f[1]));
     if (star.on.dim < 3) collect_triangles(mesh, t, v, star.triangles);
   }
-  star.length /= 3.0 * static_cast<double>(tets.size());
-  if (star.on.dim == 3) return star;
+  star.bases.close();
+  star.length = star.bases.mean_length(mesh.points[v]);
+  if (star.on.dim == 3) return;
   Fit before;
   for (const StarTriangle& triangle : star.triangles) {
     before.add(shop.guard.fit(mesh, triangle.face, {v, triangle.rim[0], triangle.rim[1]}));
   }
   dress_triangles(shop, star, before, star.length);
-  return star;
 }
 
 void dress_triangles(const Workshop& shop, LocalStar& star, const Fit& before, double size) {
   star.bound = BoundaryGuard::bound(before, size);
+  star.rims.clear();
+  star.normals.clear();
+  star.faces.clear();
   for (const StarTriangle& triangle : star.triangles) {
     const auto [x, y] = triangle.rim;
     const Vec3 nx = shop.guard.seat(shop.mesh, x, triangle.face).normal;
@@ -121,14 +125,9 @@ bool take_seats(const Workshop& shop, LocalStar& star, const Stand& from, Stand&
   return true;
 }
 
-double star_shape(LocalStar& star, const Vec3& place, double floor) {
-  double worst = 1.0;
-  std::size_t i = 0;
-  for (; i < star.bases.size() && worst > floor; ++i) {
-    worst = std::min(worst, shape(star.bases[i][0], star.bases[i][1], star.bases[i][2], place));
-  }
-  star.work += i;
-  return worst;
+StarMeasure measure(LocalStar& star, const Vec3& place, double floor) {
+  star.work += star.bases.size();
+  return star.bases.measure(place, floor);
 }
 
 bool triangles_fit(const Workshop& shop, const LocalStar& star, const Stand& stand) {

@@ -6,9 +6,12 @@
 #include <span>
 #include <vector>
 
-#include "finalize/workshop.h"
+#include "finalize/boundary_guard.h"
+#include "finalize/star_bases.h"
 
 namespace octet {
+
+struct Workshop;
 
 /// A triangle (vertex, x, y) on a model face, oriented as the face.
 struct StarTriangle {
@@ -27,18 +30,19 @@ struct Stand {
 /// that does not exist yet.
 struct LocalStar {
   ModelRef on;                               ///< entity that the vertex must stay on
-  std::vector<std::array<Vec3, 3>> bases;    ///< shape(x, y, z, place) positive for each tetrahedron
+  StarBases bases;                           ///< of its tetrahedra
   std::vector<StarTriangle> triangles;       ///< on model faces
   std::vector<std::array<Vec3, 2>> rims;     ///< points of the triangles' other vertices
   std::vector<std::array<Vec3, 2>> normals;  ///< exact normals there
   std::vector<int> faces;                    ///< model faces of the triangles, once each
   Fit bound;                                 ///< what the triangles may become
-  double length = 0.0;                       ///< mean distance from the place to the bases
+  double length = 0.0;                       ///< mean distance from the place to the bases' corners
   std::uint64_t work = 0;                    ///< done on it, in evaluations of `shape`
 };
 
-/// The star of a vertex of the mesh; `tets` are the tetrahedra around it.
-[[nodiscard]] LocalStar local_star(const Workshop& shop, VertexId v, std::span<const TetId> tets);
+/// Makes `star` that of a vertex of the mesh; `tets` are the tetrahedra around it. What `star` was does not
+/// matter: it is kept from vertex to vertex for its memory.
+void local_star(const Workshop& shop, VertexId v, std::span<const TetId> tets, LocalStar& star);
 /// Fills rims, normals, faces from `triangles`; `before` is the fit of the triangles to be replaced.
 void dress_triangles(const Workshop& shop, LocalStar& star, const Fit& before, double size);
 
@@ -52,8 +56,8 @@ void dress_triangles(const Workshop& shop, LocalStar& star, const Fit& before, d
 /// Seats a vertex on an edge on the faces there.
 [[nodiscard]] bool take_seats(const Workshop& shop, LocalStar& star, const Stand& from, Stand& stand);
 
-/// Smallest shape of the star with the vertex there; may stop early at a value not above `floor`.
-[[nodiscard]] double star_shape(LocalStar& star, const Vec3& place, double floor);
+/// The star with the vertex there; may stop early at a worst shape not above `floor`.
+[[nodiscard]] StarMeasure measure(LocalStar& star, const Vec3& place, double floor);
 /// Whether the triangles keep to the bound with the vertex standing so.
 [[nodiscard]] bool triangles_fit(const Workshop& shop, const LocalStar& star, const Stand& stand);
 

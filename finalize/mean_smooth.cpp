@@ -13,18 +13,12 @@ namespace octet {
 namespace {
 
 /// Steps below this share of the mean edge are not worth a move.
-constexpr double kLeastStep = 0.004;
+constexpr double kLeastStep = 0.01;
 /// Steps are no longer than this share of the mean edge.
 constexpr double kLongestStep = 0.5;
 
 /// Rounding may not stop a vertex whose worst tetrahedron stays as it is.
 constexpr double kNotWorse = 0.9999;
-
-double total(const LocalStar& star, const Vec3& p) {
-  double sum = 0.0;
-  for (const auto& base : star.bases) sum += distortion(base[0], base[1], base[2], p);
-  return sum;
-}
 
 /// The Newton step within what the entity leaves free: space, the tangent plane, the tangent.
 Vec3 newton_step(const Workshop& shop, const LocalStar& star, const Stand& stand, const Distortion& sum) {
@@ -44,33 +38,30 @@ Vec3 newton_step(const Workshop& shop, const LocalStar& star, const Stand& stand
 
 }  // namespace
 
-MeanMove mean_move(const Workshop& shop, VertexId v, std::span<const TetId> tets, double floor) {
+MeanMove mean_move(const Workshop& shop, VertexId v, std::span<const TetId> tets, double floor,
+                   LocalStar& star) {
   MeanMove move;
   if (!may_move(shop.mesh, v)) return move;
   double worst = 1.0;
   for (const TetId t : tets) worst = std::min(worst, shop.mesh.quality[t]);
-  LocalStar local = local_star(shop, v, tets);
-  const Stand from = current_stand(shop, v, local);
+  local_star(shop, v, tets, star);
+  const Stand from = current_stand(shop, v, star);
   Distortion sum;
-  move.work = 3 * local.bases.size();
-  for (const auto& base : local.bases) {
-    if (!add_distortion(base[0], base[1], base[2], from.point, sum)) return move;
-  }
-  Vec3 step = newton_step(shop, local, from, sum);
-  const double length = step.norm() / local.length;
+  move.work = 3 * star.bases.size();
+  if (!star.bases.differentiate(from.point, sum)) return move;
+  Vec3 step = newton_step(shop, star, from, sum);
+  const double length = step.norm() / star.length;
   if (!(length > kLeastStep)) return move;
   if (length > kLongestStep) step *= kLongestStep / length;
-  floor = std::min(floor, kNotWorse * worst);
+  const StarMeasure bar{std::min(floor, kNotWorse * worst), sum.value};
   for (const double share : {1.0, 0.5, 0.25}) {
-    const Vec3 wish = from.point + share * step;
-    move.work += local.bases.size();
-    if (total(local, wish) >= sum.value || probe(shop, local, from, wish, floor, move.stand) < 0.0) continue;
+    if (probe(shop, star, from, from.point + share * step, bar, move.stand) < 0.0) continue;
     move.step = share * std::min(length, kLongestStep);
-    move.curved = std::any_of(local.faces.begin(), local.faces.end(),
-                              [&](int face) { return !shop.guard.planar(face); });
+    move.curved =
+        std::any_of(star.faces.begin(), star.faces.end(), [&](int face) { return !shop.guard.planar(face); });
     break;
   }
-  move.work += local.work;
+  move.work += star.work;
   return move;
 }
 

@@ -2,7 +2,7 @@
 // Node repositioning for the mean: the sum of the distortions of a star is brought to its minimum.
 #pragma once
 
-#include "finalize/local_star.h"
+#include "finalize/workshop.h"
 
 namespace octet {
 
@@ -16,7 +16,9 @@ struct MeanMove {
 
 /// One step of Newton's method towards the minimum of the sum of the distortions (finalize/mean_shape.h) of
 /// v's star `tets`, on v's model entity. Nothing may get worse than the worst of the star, or than `floor` (a
-/// shape) where all are better than that. Changes nothing; many threads may ask at once.
-[[nodiscard]] MeanMove mean_move(const Workshop& shop, VertexId v, std::span<const TetId> tets, double floor);
+/// shape) where all are better than that. Changes nothing but `star`, in which the star's shapes at the new
+/// place are left; many threads may ask at once, each with a `star` of its own.
+[[nodiscard]] MeanMove mean_move(const Workshop& shop, VertexId v, std::span<const TetId> tets, double floor,
+                                 LocalStar& star);
 
 }  // namespace octet

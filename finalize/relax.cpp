@@ -5,11 +5,11 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <tuple>
 
 #include "finalize/cavity.h"
 #include "finalize/collapse.h"
 #include "finalize/edge_removal.h"
-#include "finalize/face_swap.h"
 #include "finalize/mean_smooth.h"
 #include "finalize/smooth.h"
 
@@ -19,12 +19,18 @@ namespace {
 /// Tetrahedra of better shape than this (54.3 degrees) are left alone: those of the lattice have 54.7.
 constexpr double kGoodEnough = 0.66;
 /// What a vertex's move of this share of an edge disturbs is smoothed again in the next sweep.
-constexpr double kDisturbs = 0.02;
+constexpr double kDisturbs = 0.05;
 
 /// Tetrahedra of worse shape than this (42 degrees) may lose an edge that is shorter than this share of the
 /// size.
 constexpr double kCollapseBelow = 0.45;
 constexpr double kShortEdge = 0.75;
+
+/// Swaps for the mean: edges are tried that have a tetrahedron of worse shape than this (45 degrees), and no
+/// more than so many. Of 100 000 removals for the mean on a bracket, all of rings above four and of better
+/// shapes together won a thousandth.
+constexpr double kSwapBelow = 0.5;
+constexpr std::size_t kLargestRing = 4;
 
 /// The tetrahedra at each vertex, for the while that topology stays as it is.
 class Stars {
@@ -97,12 +103,15 @@ std::vector<std::vector<VertexId>> coloured(const WorkMesh& mesh, const Stars& s
 void relax_list(Workshop& shop, const Stars& stars, const std::vector<VertexId>& list, double floor,
                 std::vector<char>& disturbed) {
   std::vector<MeanMove> moves(list.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, list.size(), 16), [&](const auto& range) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, list.size(), 256), [&](const auto& range) {
+    LocalStar star;
     for (std::size_t i = range.begin(); i < range.end(); ++i) {
+      const std::span<const TetId> tets = stars.of(list[i]);
       MeanMove& move = moves[i];
-      move = mean_move(shop, list[i], stars.of(list[i]), floor);
+      move = mean_move(shop, list[i], tets, floor, star);
       if (move.step == 0.0 || move.curved) continue;
-      if (!move_vertex(shop.mesh, list[i], move.stand.point, stars.of(list[i]))) move.step = 0.0;
+      if (!move_vertex(shop.mesh, list[i], move.stand.point, tets, {star.bases.shapes(), tets.size()}))
+        move.step = 0.0;
     }
   });
   for (std::size_t i = 0; i < list.size(); ++i) {
@@ -122,32 +131,28 @@ void relax_list(Workshop& shop, const Stars& stars, const std::vector<VertexId>&
   }
 }
 
-/// Whether an edge or face of t can be swapped for the mean, judged by the shapes alone. Each edge and face
-/// is asked about by the first of its tetrahedra.
-bool may_swap(const Workshop& shop, TetId t, double floor, EdgeRing& ring) {
-  const WorkMesh& mesh = shop.mesh;
-  const auto& v = mesh.tets[t];
-  for (const auto& e : kTetEdge) {
-    if (!is_first_of_ring(mesh, t, v[e[0]], v[e[1]])) continue;
-    edge_ring(mesh, t, v[e[0]], v[e[1]], ring);
-    if (edge_removal_raises_mean(shop, ring, floor)) return true;
-  }
-  for (int f = 0; f < 4; ++f) {
-    if (mesh.neighbours[t][f] > t && face_swap_raises_mean(shop, t, f, floor)) return true;
-  }
-  return false;
+/// Whether t is the worst of the ring, the first where there are several.
+bool is_worst(const WorkMesh& mesh, TetId t, const EdgeRing& ring) {
+  return std::all_of(ring.tets.begin(), ring.tets.end(),
+                     [&](TetId s) { return std::tie(mesh.quality[t], t) <= std::tie(mesh.quality[s], s); });
 }
 
-bool swap_something(Workshop& shop, TetId t, double floor, EdgeRing& ring) {
+/// Whether an edge of t that t is the worst tetrahedron of can be removed for the mean, judged by the shapes
+/// alone.
+bool may_swap(const Workshop& shop, TetId t, double floor, EdgeRing& ring) {
+  const auto& v = shop.mesh.tets[t];
+  return std::any_of(std::begin(kTetEdge), std::end(kTetEdge), [&](const auto& e) {
+    return edge_ring(shop.mesh, t, v[e[0]], v[e[1]], ring, kLargestRing) && is_worst(shop.mesh, t, ring) &&
+           edge_removal_raises_mean(shop, ring, floor);
+  });
+}
+
+bool swap_something(Workshop& shop, TetId t, double floor) {
   const auto v = shop.mesh.tets[t];
-  for (const auto& e : kTetEdge) {
-    edge_ring(shop.mesh, t, v[e[0]], v[e[1]], ring);
-    if (remove_edge_for_mean(shop, ring, floor)) return true;
-  }
-  for (int f = 0; f < 4; ++f) {
-    if (swap_face_for_mean(shop, t, f, floor)) return true;
-  }
-  return false;
+  return std::any_of(std::begin(kTetEdge), std::end(kTetEdge), [&](const auto& e) {
+    return edge_ring(shop.mesh, t, v[e[0]], v[e[1]], shop.ring, kLargestRing) &&
+           remove_edge_for_mean(shop, shop.ring, floor);
+  });
 }
 
 }  // namespace
@@ -192,18 +197,17 @@ void swap_for_mean(Workshop& shop, double floor) {
     EdgeRing ring;
     for (std::size_t i = range.begin(); i < range.end(); ++i) {
       const TetId t(i);
-      wanted[i] = mesh.alive(t) && mesh.quality[t] < kGoodEnough && may_swap(shop, t, floor, ring);
+      wanted[i] = mesh.alive(t) && mesh.quality[t] < kSwapBelow && may_swap(shop, t, floor, ring);
     }
   });
   std::vector<TetId> queue;
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     if (wanted[i]) queue.emplace_back(i);
   }
-  EdgeRing ring;
   for (std::size_t i = 0; i < queue.size(); ++i) {
-    if (!mesh.alive(queue[i]) || !swap_something(shop, queue[i], floor, ring)) continue;
+    if (!mesh.alive(queue[i]) || !swap_something(shop, queue[i], floor)) continue;
     for (const TetId made : shop.made) {
-      if (mesh.quality[made] < kGoodEnough) queue.push_back(made);
+      if (mesh.quality[made] < kSwapBelow) queue.push_back(made);
     }
   }
 }

@@ -49,6 +49,10 @@ inline constexpr double kRatioWeight = 2.0;
   return std::min(std::min(std::min(s[0], s[1]), std::min(s[2], s[3])), std::min(std::min(s[4], s[5]), s[6]));
 }
 
+/// A tetrahedron of better shape than this is positive by the exact sign, too: its volume is then a
+/// thousandth of its edges' cube at least, and rounding moves it by some 1e-15 of that.
+inline constexpr double kSurelyPositive = 1e-3;
+
 /// The measure of a tetrahedron whose worst is a dihedral angle of `radians`.
 [[nodiscard]] inline double shape_of_angle(double radians) {
   const double s = std::sin(radians);

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/check.h"
 #include "finalize/cavity.h"
 #include "finalize/shape.h"
+#include "finalize/workshop.h"
 #include "mesh/quality.h"
 
 namespace octet {
@@ -19,17 +21,22 @@ constexpr int kSections = 4;
 constexpr double kNearlyWorst = 1.1;
 constexpr std::size_t kMaxActive = 24;
 
+/// What only the worst is asked of.
+StarMeasure above(double worst) { return {worst, std::numeric_limits<double>::infinity()}; }
+
 double signed_root(double square) { return square < 0.0 ? -std::sqrt(-square) : std::sqrt(square); }
 
-/// Gradients, by central differences, of the roots of the merits that are nearly the worst. Roots (sines),
-/// not the merits: a square is flat where the tetrahedron is flat.
+/// Gradients, by central differences, of the roots of the merits that are nearly the worst at `place`, where
+/// the star was measured last. Roots (sines), not the merits: a square is flat where the tetrahedron is flat.
 void active_gradients(LocalStar& star, const Vec3& place, double worst, std::vector<Vec3>& gradients) {
   gradients.clear();
   const double limit = std::max(worst * kNearlyWorst * kNearlyWorst, 1e-8);
   const double step = 1e-5 * star.length;
-  for (const auto& base : star.bases) {
+  const double* shapes = star.bases.shapes();
+  for (std::size_t i = 0; i < star.bases.size(); ++i) {
+    if (shapes[i] > limit) continue;
+    const auto base = star.bases[i];
     const auto squares = merits_of_shape(base[0], base[1], base[2], place);
-    if (*std::min_element(squares.begin(), squares.end()) > limit) continue;
     std::array<Vec3, 7> gradient;
     for (int axis = 0; axis < 3; ++axis) {
       const Vec3 offset = step * Vec3::Unit(axis);
@@ -39,12 +46,11 @@ void active_gradients(LocalStar& star, const Vec3& place, double worst, std::vec
         gradient[e][axis] = (signed_root(ahead[e]) - signed_root(behind[e])) / (2.0 * step);
       }
     }
-    star.work += 7;
+    star.work += 8;
     for (int e = 0; e < 7 && gradients.size() < kMaxActive; ++e) {
       if (squares[e] <= limit) gradients.push_back(gradient[e]);
     }
   }
-  star.work += star.bases.size();
 }
 
 /// The shortest vector of the convex hull of the gradients: the direction along which the least of them rises
@@ -87,17 +93,16 @@ bool projects_dearly(const Workshop& shop, const LocalStar& star) {
 
 }  // namespace
 
-double probe(const Workshop& shop, LocalStar& star, const Stand& from, const Vec3& wish, double floor,
-             Stand& stand) {
+double probe(const Workshop& shop, LocalStar& star, const Stand& from, const Vec3& wish,
+             const StarMeasure& bar, Stand& stand) {
   // The foot on a curved face is near to the wish: where that is far from good enough, spare the projection.
   constexpr double kHopeless = 0.7;
-  if (projects_dearly(shop, star) && star_shape(star, wish, kHopeless * floor) <= kHopeless * floor)
-    return -1.0;
+  const double hopeless = kHopeless * bar.worst;
+  if (projects_dearly(shop, star) && measure(star, wish, hopeless).worst <= hopeless) return -1.0;
   if (!take_stand(shop, star, from, wish, stand)) return -1.0;
-  const double value = star_shape(star, stand.point, floor);
-  if (value <= floor || !take_seats(shop, star, from, stand) || !triangles_fit(shop, star, stand))
-    return -1.0;
-  return value;
+  const StarMeasure there = measure(star, stand.point, bar.worst);
+  if (there.worst <= bar.worst || there.distortion >= bar.distortion) return -1.0;
+  return take_seats(shop, star, from, stand) && triangles_fit(shop, star, stand) ? there.worst : -1.0;
 }
 
 namespace {
@@ -132,7 +137,7 @@ double search_line(const Workshop& shop, LocalStar& star, const Vec3& direction,
   double best = worst;
   const auto at = [&](double s) {
     const double value =
-        dear ? star_shape(star, wish(s), best) : probe(shop, star, from, wish(s), best, trial);
+        dear ? measure(star, wish(s), best).worst : probe(shop, star, from, wish(s), above(best), trial);
     if (value <= best) return false;
     best = value;
     if (!dear) stand = trial;
@@ -157,7 +162,7 @@ double search_line(const Workshop& shop, LocalStar& star, const Vec3& direction,
   }
   if (!dear) return best;
   for (const double share : {1.0, 0.5}) {
-    const double value = probe(shop, star, from, wish(share * peak), worst, trial);
+    const double value = probe(shop, star, from, wish(share * peak), above(worst), trial);
     if (value <= worst) continue;
     stand = trial;
     return value;
@@ -171,7 +176,8 @@ Vec3 neighbour_average(const LocalStar& star) {
   Vec3 sum = Vec3::Zero();
   double count = 0.0;
   if (star.on.dim == 3) {
-    for (const auto& base : star.bases) {
+    for (std::size_t i = 0; i < star.bases.size(); ++i) {
+      const auto base = star.bases[i];
       sum += base[0] + base[1] + base[2];
       count += 3.0;
     }
@@ -235,6 +241,7 @@ double raise_worst(const Workshop& shop, LocalStar& star, Stand& stand, double w
   std::vector<Vec3> gradients;
   double reach = 0.3 * star.length;
   for (int i = 0; i < kLineSearches && worst < goal; ++i) {
+    static_cast<void>(measure(star, stand.point, 0.0));
     active_gradients(star, stand.point, worst, gradients);
     if (gradients.empty()) break;
     constrain(shop, star, stand, gradients);
@@ -256,11 +263,12 @@ bool smooth_vertex(Workshop& shop, VertexId v, double goal) {
   star(shop.mesh, v, tets);
   const double before = worst_quality(shop.mesh, tets);
   if (before >= goal) return false;
-  LocalStar local = local_star(shop, v, tets);
+  LocalStar& local = shop.star;
+  local_star(shop, v, tets, local);
   Stand stand = current_stand(shop, v, local);
   double worst = before;
   Stand average;
-  const double laplacian = probe(shop, local, stand, neighbour_average(local), worst, average);
+  const double laplacian = probe(shop, local, stand, neighbour_average(local), above(worst), average);
   if (laplacian > worst) {
     worst = laplacian;
     stand = average;

@@ -9,10 +9,10 @@ namespace octet {
 /// Whether the vertex may move at all.
 [[nodiscard]] bool may_move(const WorkMesh& mesh, VertexId v);
 
-/// Shape with the vertex at `wish`, brought onto its entity (`stand`); -1 where it cannot stand or is not
-/// above `floor`.
+/// Worst shape with the vertex at `wish`, brought onto its entity (`stand`); -1 where it cannot stand, where
+/// the worst is not above the bar's, or the distortion not below.
 [[nodiscard]] double probe(const Workshop& shop, LocalStar& star, const Stand& from, const Vec3& wish,
-                           double floor, Stand& stand);
+                           const StarMeasure& bar, Stand& stand);
 
 /// Moves the vertex to where it may stand; false, and nothing changed, when the exact checks refuse.
 /// `curved` when triangles at the vertex lie on curved faces.

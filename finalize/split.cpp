@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <limits>
 
 #include "finalize/cavity.h"
 #include "finalize/shape.h"
@@ -34,9 +35,10 @@ LocalStar future_star(const Workshop& shop, const EdgeRing& ring, ModelRef on) {
   const Vec3 &a = mesh.points[ring.a], &b = mesh.points[ring.b];
   for (std::size_t i = 0; i < ring.tets.size(); ++i) {
     const Vec3 &c = mesh.points[ring.rim[i]], &d = mesh.points[ring.rim[(i + 1) % n]];
-    star.bases.push_back({b, d, c});
-    star.bases.push_back({a, c, d});
+    star.bases.add(b, d, c);
+    star.bases.add(a, c, d);
   }
+  star.bases.close();
   star.length = (b - a).norm();
   Fit before;
   for (std::size_t i = 0; i < n; ++i) {
@@ -75,7 +77,8 @@ std::vector<VolumeChange> volume_changes(const Workshop& shop, const EdgeRing& r
     const TetId t = ring.tets[i];
     double change = -signed_volume(mesh.point(t, 0), mesh.point(t, 1), mesh.point(t, 2), mesh.point(t, 3));
     for (std::size_t k : {2 * i, 2 * i + 1}) {
-      change += signed_volume(star.bases[k][0], star.bases[k][1], star.bases[k][2], place);
+      const auto base = star.bases[k];
+      change += signed_volume(base[0], base[1], base[2], place);
     }
     auto it = std::find_if(changes.begin(), changes.end(),
                            [&](const VolumeChange& c) { return c.region == mesh.region[t]; });
@@ -135,7 +138,7 @@ bool split_edge(Workshop& shop, TetId t, VertexId a, VertexId b, double floor) {
   LocalStar star = future_star(shop, ring, on);
   const Stand from = seeds_of(shop, ring, star, middle);
   Stand stand;
-  double worst = probe(shop, star, from, middle, 0.0, stand);
+  double worst = probe(shop, star, from, middle, {0.0, std::numeric_limits<double>::infinity()}, stand);
   if (worst > 0.0) worst = raise_worst(shop, star, stand, worst, 2.0 * floor);
   shop.work += star.work;
   return worst > floor && commit_split(shop, ring, star, stand);

@@ -246,21 +246,7 @@ TetId tet_with_edge(WorkMesh& mesh, VertexId a, VertexId b) {
   return TetId();
 }
 
-bool is_first_of_ring(const WorkMesh& mesh, TetId t, VertexId a, VertexId b) {
-  for (const int side : {0, 1}) {
-    // Around from t, one way; the other way only from the outer boundary on.
-    TetId s = t;
-    do {
-      s = mesh.neighbours[s][even_rest(mesh, s, a, b)[side]];
-      if (!s.valid()) break;
-      if (s < t) return false;
-    } while (s != t);
-    if (s == t) return true;
-  }
-  return true;
-}
-
-void edge_ring(const WorkMesh& mesh, TetId t, VertexId a, VertexId b, EdgeRing& ring) {
+bool edge_ring(const WorkMesh& mesh, TetId t, VertexId a, VertexId b, EdgeRing& ring, std::size_t most) {
   ring.a = a;
   ring.b = b;
   ring.closed = true;
@@ -272,11 +258,12 @@ void edge_ring(const WorkMesh& mesh, TetId t, VertexId a, VertexId b, EdgeRing& 
     ring.face_on.clear();
     for (TetId s = first;;) {
       const auto [c, d] = even_rest(mesh, s, a, b);
+      if (ring.tets.size() == most) return false;
       ring.tets.push_back(s);
       ring.rim.push_back(mesh.tets[s][c]);
       ring.face_on.push_back(mesh.face_on[s][d]);
       const TetId next = mesh.neighbours[s][c];
-      if (next == first) return;
+      if (next == first) return true;
       if (!next.valid()) {
         ring.rim.push_back(mesh.tets[s][d]);
         ring.face_on.push_back(mesh.face_on[s][c]);
@@ -284,7 +271,7 @@ void edge_ring(const WorkMesh& mesh, TetId t, VertexId a, VertexId b, EdgeRing& 
       }
       s = next;
     }
-    if (!ring.closed) return;
+    if (!ring.closed) return true;
     ring.closed = false;
     const TetId start = first;
     while (true) {
@@ -292,7 +279,7 @@ void edge_ring(const WorkMesh& mesh, TetId t, VertexId a, VertexId b, EdgeRing& 
       if (!previous.valid()) break;
       first = previous;
     }
-    if (first == start) return;
+    if (first == start) return true;
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -28,7 +29,7 @@ namespace octet {
 ///     vertices on the seam to tetrahedra that are not given; these faces stay.
 ///  4. `tet_of[v]` is a live tetrahedron at v; invalid for removed vertices.
 ///  5. `pieces` holds the mesh edges on model edges; both ends are live and on the edge's closure.
-///  6. `quality[t]` is the shape (finalize/shape.h) of t.
+///  6. `quality[t]` is the shape (finalize/shape.h) of t, but for rounding.
 struct WorkMesh {
   IdVector<VertexId, Vec3> points;
   IdVector<VertexId, ModelRef> on;
@@ -104,11 +105,10 @@ struct EdgeRing {
   bool closed = false;
 };
 
-/// Fills `ring` from a tetrahedron that holds both ends.
-void edge_ring(const WorkMesh& mesh, TetId t, VertexId a, VertexId b, EdgeRing& ring);
-
-/// Whether t has the least number of the tetrahedra around edge ab.
-[[nodiscard]] bool is_first_of_ring(const WorkMesh& mesh, TetId t, VertexId a, VertexId b);
+/// Fills `ring` from a tetrahedron that holds both ends. False, and the ring not whole, where there are more
+/// than `most` tetrahedra.
+bool edge_ring(const WorkMesh& mesh, TetId t, VertexId a, VertexId b, EdgeRing& ring,
+               std::size_t most = std::numeric_limits<std::size_t>::max());
 
 /// Empty when the invariants hold, else the first that does not. For tests.
 [[nodiscard]] std::string check_work_mesh(const WorkMesh& mesh);

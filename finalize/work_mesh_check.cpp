@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include "base/predicates.h"
@@ -20,7 +21,8 @@ std::string check_tet(const WorkMesh& mesh, TetId t) {
   }
   const Vec3 &a = mesh.point(t, 0), &b = mesh.point(t, 1), &c = mesh.point(t, 2), &d = mesh.point(t, 3);
   if (orient3d(a, b, c, d) <= 0) return fmt::format("tet {}: volume not positive", t.index());
-  if (mesh.quality[t] != shape(a, b, c, d)) return fmt::format("tet {}: stale quality", t.index());
+  if (std::abs(mesh.quality[t] - shape(a, b, c, d)) > 1e-9)
+    return fmt::format("tet {}: stale quality", t.index());
   return {};
 }
 

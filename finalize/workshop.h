@@ -6,6 +6,7 @@
 
 #include "finalize/boundary_guard.h"
 #include "finalize/finalize.h"
+#include "finalize/local_star.h"
 #include "finalize/work_mesh.h"
 
 namespace octet {
@@ -26,6 +27,8 @@ struct Workshop {
   bool thorough = false;    ///< project every place tried, also where projections are dear
   std::uint64_t work = 0;   ///< evaluations of `shape`, the unit of the work budget
   std::vector<TetId> made;  ///< tetrahedra made or changed by the last operator that succeeded
+  EdgeRing ring;            ///< scratch
+  LocalStar star;           ///< scratch
 
   /// Serial numbers of operations: when tetrahedra at the vertex last changed, and when the tetrahedron was
   /// last tried in vain. What has not changed since is not tried again.

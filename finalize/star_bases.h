@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The tetrahedra around a vertex, each as the base opposite to it, measured four at once.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <vector>
+
+#include "finalize/mean_shape.h"
+
+namespace octet {
+
+/// What a star comes to with its vertex at one place.
+struct StarMeasure {
+  double worst = 1.0;  ///< least shape (finalize/shape.h)
+  double distortion =
+      0.0;  ///< sum of the distortions (finalize/mean_shape.h); means nothing unless worst > 0
+};
+
+/// Bases (x, y, z) such that (x, y, z, place) is positive. What depends on the base alone is found once, and
+/// four tetrahedra are evaluated at once, by the same operations in the same order on every machine:
+/// smoothing spends nearly all of its time here.
+class StarBases {
+ public:
+  void clear();
+  void add(const Vec3& x, const Vec3& y, const Vec3& z);
+  /// To be called when all are added, before anything is asked.
+  void close();
+  [[nodiscard]] std::size_t size() const { return count_; }
+  [[nodiscard]] std::array<Vec3, 3> operator[](std::size_t i) const;
+
+  /// With the vertex at `place`. Stops at a worst shape not above `floor`; the sum and the shapes are whole
+  /// where worst > floor.
+  StarMeasure measure(const Vec3& place, double floor = -std::numeric_limits<double>::infinity());
+  /// The shape of each as measured last; whole where that did not stop early.
+  [[nodiscard]] const double* shapes() const { return shapes_.data(); }
+
+  /// Adds the sum of the distortions and its derivatives; false, and nothing of use added, where a volume is
+  /// not positive.
+  [[nodiscard]] bool differentiate(const Vec3& place, Distortion& sum) const;
+  /// Root of the mean squared distance between the place and the corners of the bases.
+  [[nodiscard]] double mean_length(const Vec3& place) const;
+
+ private:
+  static constexpr std::size_t kLanes = 4;
+  using Lanes = Eigen::Array<double, kLanes, 1>;
+  using LaneVec = std::array<Lanes, 3>;
+
+  /// Four bases; what is left over repeats the first, with no weight in sums.
+  struct Block {
+    LaneVec x, y, z, xy, xz, yz, normal;  ///< normal: xy cross xz
+    Lanes lxy, lxz, lyz, normal2;         ///< squared lengths
+    Lanes weight;
+  };
+
+  std::size_t count_ = 0;
+  std::vector<Block> blocks_;   ///< grows only; of use are the first ceil(count / 4)
+  std::vector<double> shapes_;  ///< one per lane
+};
+
+}  // namespace octet
