@@ -8,6 +8,7 @@
 #include "app/exit_code.h"
 #include "app/info_json.h"
 #include "app/info_text.h"
+#include "app/size_boxes.h"
 #include "app/size_table.h"
 #include "geom/occt/read_part.h"
 
@@ -18,8 +19,11 @@ int run_info(const InfoCommand& command) {
   const std::string name = command.part.string();
   if (command.show_sizes) {
     MeshOptions options;
-    apply_sizes(command.sizes, length_unit(command.unit.empty() ? "mm" : command.unit), options);
+    const LengthUnit unit = length_unit(command.unit.empty() ? "mm" : command.unit);
+    apply_sizes(command.sizes, unit, options);
     const SizePlan plan = plan_sizes(model, options);
+    if (!command.size_field.empty())
+      write_size_field(command.size_field, size_boxes(model, plan), 1.0 / unit.millimetres);
     fmt::print("{}", command.json ? size_table_json(name, model, plan) : size_table(name, model, plan));
     return kExitComplete;
   }

@@ -31,7 +31,8 @@ struct InfoCommand {
   SizeWords sizes;
   std::string unit;  ///< of the sizes; empty: millimetre
   bool json = false, entities = false;
-  bool show_sizes = false;  ///< the size of each entity and why, instead of the part
+  bool show_sizes = false;           ///< the size of each entity and why, instead of the part
+  std::filesystem::path size_field;  ///< VTU file to write the sizes over space into; may be empty
 };
 
 struct CheckCommand {

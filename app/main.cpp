@@ -68,7 +68,8 @@ void add_mesh(CLI::App& app, MeshCommand& mesh) {
       ->type_name("FILE");
   add_size_options(sub, mesh.sizes);
   sub.add_option("--unit", mesh.unit, kUnitHelp)->type_name("UNIT");
-  sub.add_option("--format", mesh.format, "msh41, msh41-ascii, msh22, msh22-ascii, vtu, inp (default: by suffix)")
+  sub.add_option("--format", mesh.format,
+                 "msh41, msh41-ascii, msh22, msh22-ascii, vtu, inp (default: by suffix)")
       ->type_name("FORMAT");
   sub.add_option("--threads", mesh.threads, "Threads; any number gives the same bytes (default: all cores)")
       ->type_name("N");
@@ -115,6 +116,9 @@ void add_info(CLI::App& app, InfoCommand& info) {
   sub.add_flag("--entities", info.entities, "Print a line for every entity, too");
   sub.add_flag("--sizes", info.show_sizes,
                "Print the size that each entity gets from the options below, and why, instead");
+  sub.add_option("--write-field", info.size_field, "With --sizes: write the sizes over space (.vtu)")
+      ->type_name("FILE")
+      ->needs("--sizes");
   add_size_options(sub, info.sizes);
   sub.add_option("--unit", info.unit, std::string("Unit of the sizes: ") + kUnitHelp)->type_name("UNIT");
   add_reading_options(sub, info.reading);

@@ -244,9 +244,8 @@ MeshResult mesh_part(const Model& model, const MeshOptions& options, Observer& o
   MeshResult result;
   tbb::task_arena arena(options.threads);
   const auto mesh = [&](const MeshOptions& with) { return Run(model, with, observer).run(); };
-  arena.execute([&] {
-    result = options.target_elements > 0.0 ? mesh_to_target(model, options, mesh) : mesh(options);
-  });
+  arena.execute(
+      [&] { result = options.target_elements > 0.0 ? mesh_to_target(model, options, mesh) : mesh(options); });
   return result;
 }
 

@@ -7,6 +7,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "app/element_estimate.h"
+
 namespace octet {
 namespace {
 
@@ -53,12 +55,14 @@ std::string size_table(const std::string& part, const Model& model, const SizePl
   for (const auto& [entity, size] : entity_sizes(plan))
     text += fmt::format("    {:<24} {:>10.4g} mm  {}\n", model.describe(entity), size.size,
                         reason_name(size.why));
+  text += fmt::format("  about {:.2g} tetrahedra\n", estimated_elements(model, plan));
   if (plan.field) text += "    and shapes or fields over space\n";
   return text;
 }
 
 std::string size_table_json(const std::string& part, const Model& model, const SizePlan& plan) {
   nlohmann::ordered_json json{{"part", part}, {"size", plan.asked}, {"min_size", plan.min_size}};
+  json["estimated_elements"] = estimated_elements(model, plan);
   json["entities"] = nlohmann::ordered_json::array();
   for (const auto& [entity, size] : entity_sizes(plan))
     json["entities"].push_back({{"dim", entity.dim},

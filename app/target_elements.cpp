@@ -8,27 +8,14 @@
 #include <utility>
 #include <vector>
 
+#include "app/element_estimate.h"
 #include "app/octant_sizes.h"
-#include "octree/octant_types.h"
 
 namespace octet {
 namespace {
 
-/// Of a boundary octant about half lies inside.
-constexpr double kTetsPerBoundaryOctant = 3.0;
 constexpr double kCloseEnough = 0.125;
 constexpr double kSlope = -2.5;  // the first guess of d log(count) / d log(size)
-
-double elements_of_tree(const Model& model, const MeshOptions& options) {
-  const SizePlan plan = plan_sizes(model, options);
-  const Octree tree = build_octree(model, octant_request(plan), octant_samples(plan));
-  double elements = 0.0;
-  for (const OctantType type : octant_types(model, tree).type) {
-    if (type == OctantType::kIn) elements += kTetsPerOctant;
-    if (type == OctantType::kBoundary) elements += kTetsPerBoundaryOctant;
-  }
-  return elements;
-}
 
 /// The logarithm of the scale at which log_count(log_scale) is `wanted`, near enough.
 double solve(double start, double wanted, const std::function<double(double)>& log_count) {
@@ -91,7 +78,8 @@ MeshResult mesh_to_target(const Model& model, const MeshOptions& options,
   };
   for (int i = 0; i < kMostMeshes; ++i) {
     const auto log_count = [&](double at) {
-      return std::log(elements_of_tree(model, scaled_sizes(model, options, std::exp(at))));
+      return std::log(
+          estimated_elements(model, plan_sizes(model, scaled_sizes(model, options, std::exp(at)))));
     };
     if (!crossing(tried)) x = solve(x, std::log(target) - correction, log_count);
     MeshResult result = mesh(scaled_sizes(model, options, std::exp(x)));

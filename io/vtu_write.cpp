@@ -7,91 +7,18 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <charconv>
-#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
 
 #include "io/msh_entities.h"
+#include "io/vtu_appended.h"
 
 namespace octet {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "the header says so");
-
-/// Items a task.
-constexpr std::size_t kBlock = 16384;
 constexpr std::uint8_t kVtkType[4] = {1, 3, 5, 10};
-
-template <class T>
-constexpr const char* kTypeName = nullptr;
-template <>
-constexpr const char* kTypeName<double> = "Float64";
-template <>
-constexpr const char* kTypeName<std::uint8_t> = "UInt8";
-template <>
-constexpr const char* kTypeName<std::int32_t> = "Int32";
-template <>
-constexpr const char* kTypeName<std::int64_t> = "Int64";
-
-/// The arrays in the order of their offsets, told first and written afterwards.
-class Appended {
- public:
-  /// Returns the XML element of an array of n items; make(item, values) writes the `width(item)` values of an
-  /// item, `total` in all.
-  template <class T, class Width, class Make>
-  std::string add(const char* name, int components, std::size_t n, std::uint64_t total, const Width& width,
-                  const Make& make) {
-    const std::string shape =
-        components == 1 ? std::string() : fmt::format(" NumberOfComponents=\"{}\"", components);
-    const std::string element =
-        fmt::format("        <DataArray type=\"{}\" Name=\"{}\"{} format=\"appended\" offset=\"{}\"/>\n",
-                    kTypeName<T>, name, shape, offset_);
-    const std::uint64_t length = total * sizeof(T);
-    offset_ += sizeof length + length;
-    writers_.push_back([=](OutputFile& file) {
-      file.put(length);
-      file.write_blocks(n, kBlock, [&](std::size_t first, std::size_t last, std::string& bytes) {
-        T values[4];
-        for (std::size_t i = first; i < last; ++i) {
-          make(i, values);
-          bytes.append(reinterpret_cast<const char*>(values), width(i) * sizeof(T));
-        }
-      });
-    });
-    return element;
-  }
-  /// One value an item.
-  template <class T, class Value>
-  std::string add(const char* name, std::size_t n, const Value& value) {
-    return add<T>(
-        name, 1, n, n, [](std::size_t) { return std::size_t{1}; },
-        [=](std::size_t i, T* values) { values[0] = static_cast<T>(value(i)); });
-  }
-  /// Field data: an array of bytes whose length is its own.
-  std::string add_text(const std::string& name, const std::string& text) {
-    const std::string element = fmt::format(
-        "      <DataArray type=\"UInt8\" Name=\"{}\" NumberOfTuples=\"{}\" format=\"appended\" "
-        "offset=\"{}\"/>\n",
-        name, text.size(), offset_);
-    const std::uint64_t length = text.size();
-    offset_ += sizeof length + length;
-    writers_.push_back([=](OutputFile& file) {
-      file.put(length);
-      file.write(text);
-    });
-    return element;
-  }
-  void write(OutputFile& file) const {
-    for (const auto& writer : writers_) writer(file);
-  }
-
- private:
-  std::uint64_t offset_ = 0;
-  std::vector<std::function<void(OutputFile&)>> writers_;
-};
 
 /// The cells in order: nodes on model vertices, edges, triangles, tetrahedra.
 class Cells {
@@ -143,7 +70,7 @@ class Cells {
 
 /// T: 32 bits while they hold all numbers.
 template <class T>
-std::string add_cells(Appended& data, const Cells& cells) {
+std::string add_cells(VtuAppended& data, const Cells& cells) {
   const Cells* c = &cells;
   return data.add<T>(
              "connectivity", 1, cells.size(), cells.values(),
@@ -192,7 +119,7 @@ class EntityColours {
   bool any_ = false;
 };
 
-std::string add_colours(Appended& data, const Cells& cells, const EntityColours& colours) {
+std::string add_colours(VtuAppended& data, const Cells& cells, const EntityColours& colours) {
   if (!colours.any()) return {};
   const Cells* c = &cells;
   const EntityColours* of = &colours;
@@ -205,7 +132,7 @@ std::string add_colours(Appended& data, const Cells& cells, const EntityColours&
 }
 
 /// One line per tag from 1; nothing when all are empty.
-std::string add_lines(Appended& data, const std::string& name, const std::vector<OutlineEntity>& entities,
+std::string add_lines(VtuAppended& data, const std::string& name, const std::vector<OutlineEntity>& entities,
                       std::string OutlineEntity::*member) {
   std::vector<std::string> lines;
   bool any = false;
@@ -221,7 +148,7 @@ std::string add_lines(Appended& data, const std::string& name, const std::vector
   return data.add_text(name, text);
 }
 
-std::string add_field_data(Appended& data, const ModelOutline& outline) {
+std::string add_field_data(VtuAppended& data, const ModelOutline& outline) {
   static constexpr std::array<const char*, 4> kKind{"vertex", "edge", "face", "region"};
   std::string xml;
   for (std::size_t dim = 4; dim-- > 0;) {
@@ -236,15 +163,13 @@ std::string add_field_data(Appended& data, const ModelOutline& outline) {
 }  // namespace
 
 void write_vtu(OutputFile& file, const Mesh& mesh, const ModelOutline& outline, double scale) {
-  Appended data;
+  VtuAppended data;
   const EntityColours colours(outline);
   const Cells cells(mesh);
   const Mesh* m = &mesh;
   const Cells* c = &cells;
   const std::size_t points = mesh.points.size();
-  std::string xml =
-      "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
-      "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n  <UnstructuredGrid>\n";
+  std::string xml = kVtuHead;
   xml += add_field_data(data, outline);
   xml += fmt::format("    <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n      <PointData>\n", points,
                      cells.size());
@@ -270,10 +195,8 @@ void write_vtu(OutputFile& file, const Mesh& mesh, const ModelOutline& outline, 
   const bool narrow = std::max<std::uint64_t>(cells.values(), points) <=
                       static_cast<std::uint64_t>(std::numeric_limits<std::int32_t>::max());
   xml += narrow ? add_cells<std::int32_t>(data, cells) : add_cells<std::int64_t>(data, cells);
-  xml += "      </Cells>\n    </Piece>\n  </UnstructuredGrid>\n  <AppendedData encoding=\"raw\">\n_";
-  file.write(xml);
-  data.write(file);
-  file.write("\n  </AppendedData>\n</VTKFile>\n");
+  xml += "      </Cells>\n    </Piece>\n";
+  data.write(file, xml);
 }
 
 }  // namespace octet

@@ -100,6 +100,22 @@ TEST(SizeCommand, AdaptGivesEachElementsPlaceTheSizeItWants) {
   EXPECT_NEAR(mean_near(after, Vec3(5, 10, 24), 8.0) / 4.0, 1.0, 0.3);
 }
 
+TEST(SizeCommand, AWrittenFieldGivesTheSameSizesAsAField) {
+  const TemporaryDirectory out;
+  const ProgramRun info = run_octet({"info", box(), "--sizes", "--json", "--size", "4", "--size-at",
+                                     "Vertex@0,0,0=0.5", "--write-field", out.file("a.vtu")});
+  ASSERT_EQ(info.exit_code, kExitComplete) << info.err;
+  const ProgramRun run = run_octet({"mesh", box(), "-o", out.file("a.msh"), "--size", "4", "--uniform",
+                                    "--field", out.file("a.vtu"), "--quiet"});
+  ASSERT_EQ(run.exit_code, kExitComplete) << run.err;
+  const Mesh mesh = read_mesh(out.file("a.msh"));
+  EXPECT_NEAR(mean_near(mesh, Vec3::Zero(), 1.0) / 0.5, 1.0, 0.25);
+  EXPECT_NEAR(mean_near(mesh, Vec3(5, 10, 24), 8.0) / 4.0, 1.0, 0.25);
+  const double estimate = Json::parse(info.out)["estimated_elements"].get<double>();
+  EXPECT_NEAR(estimate / static_cast<double>(mesh.tets.size()), 1.0, 0.4);
+  EXPECT_EQ(run_octet({"info", box(), "--write-field", out.file("b.vtu")}).exit_code, kExitBadInput);
+}
+
 TEST(SizeCommand, TargetElementsAreMetWithinFifteenPercent) {
   const TemporaryDirectory out;
   for (const auto& [part, target] :

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "io/size_field_write.h"
 
 namespace octet {
 namespace {
@@ -166,6 +167,17 @@ TEST_F(SizeFile, CellsThatAreNoTetrahedraAreACloudOfTheirMiddles) {
   EXPECT_TRUE(field.tets.empty());
   EXPECT_EQ(field.point_size, (std::vector<double>{0.25, 0.5}));
   EXPECT_EQ(field.points[0], Vec3(0.25, 0.25, 0.25));
+}
+
+TEST_F(SizeFile, AWrittenFieldIsReadAsACloudOfItsBoxes) {
+  SizeBoxes boxes;
+  for (int c = 0; c < 12; ++c) boxes.points.emplace_back(c & 1, c >> 1 & 1, c >> 2);
+  boxes.boxes = {{0, 1, 2, 3, 4, 5, 6, 7}, {4, 5, 6, 7, 8, 9, 10, 11}};
+  boxes.size = {0.5, 0.25};
+  write_size_field(directory_ / "a.vtu", boxes, 2.0);
+  const Background field = read_size_file(directory_ / "a.vtu");
+  EXPECT_EQ(field.points, (std::vector<Vec3>{Vec3(1, 1, 1), Vec3(1, 1, 3)}));
+  EXPECT_EQ(field.point_size, (std::vector<double>{1.0, 0.5}));
 }
 
 TEST_F(SizeFile, NoTruncatedVtuIsRead) {

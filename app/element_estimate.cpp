@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Octants counted by where they lie.
+#include "app/element_estimate.h"
+
+#include "app/octant_sizes.h"
+#include "octree/octant_types.h"
+
+namespace octet {
+namespace {
+
+/// Of a boundary octant about half lies inside.
+constexpr double kTetsPerBoundaryOctant = 3.0;
+
+}  // namespace
+
+double estimated_elements(const Model& model, const SizePlan& plan) {
+  const Octree tree = build_octree(model, octant_request(plan), octant_samples(plan));
+  double elements = 0.0;
+  for (const OctantType type : octant_types(model, tree).type) {
+    if (type == OctantType::kIn) elements += kTetsPerOctant;
+    if (type == OctantType::kBoundary) elements += kTetsPerBoundaryOctant;
+  }
+  return elements;
+}
+
+}  // namespace octet
