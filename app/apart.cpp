@@ -6,8 +6,8 @@
 #include <array>
 #include <limits>
 
+#include "app/scaled_sizes.h"
 #include "geom/bodies.h"
-#include "geom/size_plan.h"
 
 namespace octet {
 namespace {
@@ -219,8 +219,7 @@ std::vector<std::vector<SizeAttribute>> attributes_of(const Model& model, const 
 MeshResult mesh_apart(const Model& model, const MeshOptions& options, Observer& observer) {
   const std::vector<Body> bodies = take_apart(model);
   const auto attributes = attributes_of(model, places_of(model, bodies), options.attributes, bodies.size());
-  MeshOptions each = options;
-  each.size = global_size(model, options);
+  MeshOptions each = with_default_size(model, options);
   MeshResult whole;
   whole.report.status = MeshStatus::kComplete;
   for (std::size_t b = 0; b < bodies.size(); ++b) {

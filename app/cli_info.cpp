@@ -8,6 +8,7 @@
 #include "app/exit_code.h"
 #include "app/info_json.h"
 #include "app/info_text.h"
+#include "app/scaled_sizes.h"
 #include "app/size_boxes.h"
 #include "app/size_table.h"
 #include "geom/occt/read_part.h"
@@ -21,7 +22,7 @@ int run_info(const InfoCommand& command) {
     MeshOptions options;
     const LengthUnit unit = length_unit(command.unit.empty() ? "mm" : command.unit);
     apply_sizes(command.sizes, unit, options);
-    const SizePlan plan = plan_sizes(model, options);
+    const SizePlan plan = plan_sizes(model, with_default_size(model, options));
     if (!command.size_field.empty())
       write_size_field(command.size_field, size_boxes(model, plan), 1.0 / unit.millimetres);
     fmt::print("{}", command.json ? size_table_json(name, model, plan) : size_table(name, model, plan));

@@ -11,7 +11,9 @@
 #include "app/exit_code.h"
 #include "app/length_unit.h"
 #include "base/error.h"
+#include "io/size_file.h"
 #include "io/write.h"
+#include "mesh/background.h"
 #include "mesh/local_size.h"
 #include "mesh/quality_table.h"
 #include "mesh/soundness.h"
@@ -142,6 +144,23 @@ std::string quality_csv(const QualityTable& table) {
   return text;
 }
 
+/// Per vertex; where a field says nothing, the mesh speaks for itself.
+std::vector<double> sizes_asked_for(const QualityCommand& command, const Mesh& mesh, const LengthUnit& unit) {
+  if (command.size) return std::vector<double>(mesh.points.size(), *command.size * unit.millimetres);
+  std::vector<double> sizes = vertex_sizes(mesh, tet_edges(mesh));
+  if (command.field.empty()) return sizes;
+  const SizeField field =
+      background_field(scaled(read_size_file(command.field, command.mesh), unit.millimetres));
+  for (std::size_t v = 0; v < sizes.size(); ++v) {
+    // A cloud of the middles of boxes ends half a box before these do.
+    const Box3 at{mesh.points[v], mesh.points[v]};
+    double size = field(at);
+    if (size == kNoSize) size = field(at.grown(sizes[v]));
+    if (size < kNoSize) sizes[v] = size;
+  }
+  return sizes;
+}
+
 }  // namespace
 
 int run_quality(const QualityCommand& command) {
@@ -154,9 +173,7 @@ int run_quality(const QualityCommand& command) {
   if (const std::string fault = check_mesh_soundness(mesh); !fault.empty())
     throw InputError(fmt::format("{} is no sound classified mesh: {}", name, fault));
   for (Vec3& p : mesh.points) p *= unit.millimetres;
-  const std::vector<double> size =
-      command.size ? std::vector<double>(mesh.points.size(), *command.size * unit.millimetres)
-                   : vertex_sizes(mesh, tet_edges(mesh));
+  const std::vector<double> size = sizes_asked_for(command, mesh, unit);
   const QualityTable table = quality_table(mesh, size, command.worst);
   if (command.json)
     fmt::print("{}", quality_json(name, table));

@@ -44,8 +44,9 @@ struct CheckCommand {
 
 struct QualityCommand {
   std::filesystem::path mesh;
-  std::optional<double> size;  ///< asked for everywhere, in `unit`; none: the mesh's own local size
-  std::string unit;            ///< of the mesh file's coordinates; empty: millimetre
+  std::optional<double> size;   ///< asked for everywhere, in `unit`; none: the mesh's own local size
+  std::filesystem::path field;  ///< or sizes over space (io/size_file.h); may be empty
+  std::string unit;             ///< of the files' coordinates; empty: millimetre
   std::size_t worst = 10;
   bool json = false, csv = false;
 };

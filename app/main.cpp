@@ -142,6 +142,10 @@ void add_quality(CLI::App& app, QualityCommand& quality) {
   sub.add_option("--size", quality.size,
                  "Hold edges and walls against this size (default: that of the mesh around)")
       ->type_name("LENGTH");
+  sub.add_option("--field", quality.field,
+                 "Or against sizes over space, as octet info --sizes --write-field and octet adapt have them")
+      ->type_name("FILE")
+      ->excludes("--size");
   sub.add_option("--unit", quality.unit, std::string("Unit of the mesh file: ") + kUnitHelp)
       ->type_name("UNIT");
   sub.add_option("--worst", quality.worst, "How many of the worst elements to list (default: 10)")

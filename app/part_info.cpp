@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "geom/sizing.h"
+#include "app/scaled_sizes.h"
 
 namespace octet {
 namespace {
@@ -125,7 +125,7 @@ PartInfo part_info(const Model& model) {
   info.overlaps = overlaps(model.provenance(), model.count(3));
   info.changes = changed_numbers(model.provenance());
   info.thinnest = thinnest_wall(model);
-  info.default_size = default_size(model);
+  info.default_size = with_default_size(model, {}).size;
   return info;
 }
 

@@ -15,6 +15,7 @@
 #include "app/measures.h"
 #include "app/mesh_part.h"
 #include "app/octant_sizes.h"
+#include "app/scaled_sizes.h"
 #include "app/stage_clock.h"
 #include "app/target_elements.h"
 #include "classify/extract.h"
@@ -244,8 +245,10 @@ MeshResult mesh_part(const Model& model, const MeshOptions& options, Observer& o
   MeshResult result;
   tbb::task_arena arena(options.threads);
   const auto mesh = [&](const MeshOptions& with) { return Run(model, with, observer).run(); };
-  arena.execute(
-      [&] { result = options.target_elements > 0.0 ? mesh_to_target(model, options, mesh) : mesh(options); });
+  arena.execute([&] {
+    result = options.target_elements > 0.0 ? mesh_to_target(model, options, mesh)
+                                           : mesh(with_default_size(model, options));
+  });
   return result;
 }
 

@@ -4,17 +4,21 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 
 #include "app/element_estimate.h"
+#include "app/octant_sizes.h"
 
 namespace octet {
 namespace {
 
 struct EntitySize {
-  double size = kNoSize;
+  double size = kNoSize;  ///< asked for
   SizeReason why = SizeReason::kGlobal;
+  double gets = kNoSize;  ///< of the powers of two that the octants offer
 };
 
 const char* reason_name(SizeReason why) {
@@ -38,24 +42,36 @@ const char* reason_name(SizeReason why) {
 
 std::map<ModelRef, EntitySize> entity_sizes(const SizePlan& plan) {
   std::map<ModelRef, EntitySize> sizes;
-  for (const SizeSample& sample : plan.samples) {
+  const OctreeRequest request = octant_request(plan);
+  const auto given = [&](double octant) {
+    return kEdgePerOctant * request.size * std::exp2(-std::ceil(std::log2(request.size / octant) - 1e-6));
+  };
+  const std::vector<SizeSample> octants = octant_samples(plan);
+  for (std::size_t i = 0; i < octants.size(); ++i) {
+    const SizeSample& sample = plan.samples[i];
     EntitySize& entity = sizes[sample.on];
-    if (sample.size < entity.size) entity = {sample.size, sample.why};
+    if (sample.size < entity.size) entity = {sample.size, sample.why, given(octants[i].size)};
   }
   for (std::size_t r = 1; r < plan.region_size.size(); ++r)
     if (plan.region_size[r] < kNoSize)
-      sizes[model_region(static_cast<int>(r))] = {plan.region_size[r], SizeReason::kAttribute};
+      sizes[model_region(static_cast<int>(r))] = {plan.region_size[r], SizeReason::kAttribute,
+                                                  given(request.region_size[r])};
   return sizes;
 }
 
 }  // namespace
 
 std::string size_table(const std::string& part, const Model& model, const SizePlan& plan) {
-  std::string text = fmt::format("{}\n  size {:.6g} mm everywhere, but for\n", part, plan.asked);
-  for (const auto& [entity, size] : entity_sizes(plan))
-    text += fmt::format("    {:<24} {:>10.4g} mm  {}\n", model.describe(entity), size.size,
-                        reason_name(size.why));
-  text += fmt::format("  about {:.2g} tetrahedra\n", estimated_elements(model, plan));
+  const double elements = estimated_elements(model, plan);
+  const double digit = std::pow(10.0, std::floor(std::log10(std::max(elements, 10.0))) - 1.0);
+  std::string text = fmt::format(
+      "{}\n  about {:.0f} tetrahedra, with edges of {:.4g} mm ({:.4g} asked for)\n", part,
+      digit * std::round(elements / digit), kEdgePerOctant * octant_request(plan).size, plan.asked);
+  const auto sizes = entity_sizes(plan);
+  if (!sizes.empty()) text += fmt::format("    {:<24} {:>10}    {:>10}\n", "but for", "asked for", "gets");
+  for (const auto& [entity, size] : sizes)
+    text += fmt::format("    {:<24} {:>10.4g} mm {:>10.4g} mm  {}\n", model.describe(entity), size.size,
+                        size.gets, reason_name(size.why));
   if (plan.field) text += "    and shapes or fields over space\n";
   return text;
 }
@@ -69,6 +85,7 @@ std::string size_table_json(const std::string& part, const Model& model, const S
                                 {"tag", entity.tag},
                                 {"entity", model.describe(entity)},
                                 {"size", size.size},
+                                {"gets", size.gets},
                                 {"why", reason_name(size.why)}});
   return json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }

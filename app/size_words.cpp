@@ -49,13 +49,6 @@ void make_uniform(SizeControl& control) {
   control.short_edges = false;
 }
 
-Background scaled(Background field, double unit) {
-  for (Vec3& p : field.points) p *= unit;
-  for (double& size : field.tet_size) size *= unit;
-  for (double& size : field.point_size) size *= unit;
-  return field;
-}
-
 }  // namespace
 
 void apply_sizes(const SizeWords& words, const LengthUnit& unit, MeshOptions& options) {

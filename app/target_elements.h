@@ -8,9 +8,6 @@
 
 namespace octet {
 
-/// The options with all sizes, wherever they come from, multiplied.
-[[nodiscard]] MeshOptions scaled_sizes(const Model& model, const MeshOptions& options, double scale);
-
 /// Meshes with sizes scaled so that the tetrahedra are within an eighth of options.target_elements, as far as
 /// that can be had (where small features decide, counts jump as octants halve): octrees alone are tried
 /// first, at a small share of a mesh's cost, and at most three meshes are made. The nearest one is returned.

@@ -132,6 +132,13 @@ bool is_size(double size) { return size > 0.0 && std::isfinite(size); }
 
 }  // namespace
 
+Background scaled(Background field, double factor) {
+  for (Vec3& p : field.points) p *= factor;
+  for (double& size : field.tet_size) size *= factor;
+  for (double& size : field.point_size) size *= factor;
+  return field;
+}
+
 SizeField background_field(const Background& background) {
   std::vector<Item> items;
   const auto& [points, tets, tet_size, point_size] = background;

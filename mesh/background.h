@@ -19,6 +19,9 @@ struct Background {
   std::vector<double> point_size;                ///< per point; or empty
 };
 
+/// Places and sizes multiplied: from one unit of length to another.
+[[nodiscard]] Background scaled(Background field, double factor);
+
 /// The field, read by boxes: of the elements that meet a box the smallest size; of points the smallest in the
 /// box, or that of the nearest one where the box holds none. Vertex sizes are not interpolated: an element
 /// has the smallest size of its vertices. Outside, farther from all elements (or from the box around all

@@ -37,6 +37,22 @@ TEST_F(QualityCommand, JsonAgreesWithTheMesh) {
   EXPECT_FALSE(json["worst"][0]["on"].empty());
 }
 
+TEST_F(QualityCommand, EdgesAreHeldAgainstTheSizesAskedForThere) {
+  const std::string part = model_file("box.step");
+  const std::vector<std::string> sizes{"--size", "4", "--size-at", "Face1=0.9"};
+  const auto with_sizes = [&](std::vector<std::string> words) {
+    words.insert(words.end(), sizes.begin(), sizes.end());
+    EXPECT_EQ(run_octet(words).exit_code, kExitComplete);
+  };
+  with_sizes({"mesh", part, "-o", out_.file("b.msh"), "--quiet"});
+  with_sizes({"info", part, "--sizes", "--write-field", out_.file("b.vtu")});
+  const auto edges = [&](const std::vector<std::string>& words) {
+    return Json::parse(run_octet(words).out)["edges"]["median"].get<double>();
+  };
+  EXPECT_NEAR(edges({"quality", out_.file("b.msh"), "--json", "--field", out_.file("b.vtu")}), 1.0, 0.1);
+  EXPECT_LT(edges({"quality", out_.file("b.msh"), "--json", "--size", "4"}), 0.4);
+}
+
 TEST_F(QualityCommand, CsvCountsEveryElementOncePerMeasure) {
   const auto run = run_octet({"quality", mesh(), "--csv"});
   ASSERT_EQ(run.exit_code, kExitComplete) << run.err;

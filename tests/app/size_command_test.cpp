@@ -136,7 +136,8 @@ TEST(SizeCommand, InfoTellsTheSizesAndWhy) {
   bool asked = false, near = false;
   for (const Json& entity : info["entities"]) {
     if (entity["dim"] == 2 && entity["tag"] == 2)
-      asked = entity["why"] == "asked for" && entity["size"].get<double>() == 1.0;
+      asked = entity["why"] == "asked for" && entity["size"].get<double>() == 1.0 &&
+              std::abs(entity["gets"].get<double>() - 1.0) < 0.15;
     near |= entity["dim"] == 1 && entity["size"].get<double>() == 10.0;
   }
   EXPECT_TRUE(asked && near) << info.dump();

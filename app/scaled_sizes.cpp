@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A secant search in the logarithms of size and count: counts go with a power of the size between -2 and -3.
+#include "app/scaled_sizes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/element_estimate.h"
+
+namespace octet {
+namespace {
+
+constexpr double kSlope = -2.5;  // the first guess of d log(count) / d log(size)
+
+/// What a mesh without a size may be estimated at. Estimates of thin sheets are up to three times the truth,
+/// those of parts with many small features down to four fifths: meshes have 2 000 to 500 000 elements.
+constexpr double kFewest = 4'000.0, kMost = 400'000.0;
+
+}  // namespace
+
+MeshOptions scaled_sizes(const Model& model, const MeshOptions& options, double scale) {
+  MeshOptions scaled = options;
+  scaled.target_elements = 0.0;
+  scaled.size = scale * global_size(model, options);
+  scaled.max_size = 0.0;  // in the size already
+  for (SizeAttribute& attribute : scaled.attributes) {
+    if (attribute.elements > 0)
+      attribute.elements = std::max(1, static_cast<int>(attribute.elements / scale));
+    attribute.size *= scale;
+  }
+  if (options.background)
+    scaled.background = [field = options.background, scale](const Box3& box) { return scale * field(box); };
+  return scaled;
+}
+
+double log_scale_for(const Model& model, const std::function<MeshOptions(double)>& sizes, double log_elements,
+                     double start) {
+  constexpr int kMostTrees = 8;
+  double x = start, slope = kSlope, last_x = 0.0, last_y = 0.0;
+  for (int i = 0; i < kMostTrees; ++i) {
+    const double y = std::log(estimated_elements(model, plan_sizes(model, sizes(x))));
+    if (std::abs(y - log_elements) < 0.02) break;
+    if (i > 0 && std::abs(x - last_x) > 1e-6) slope = std::clamp((y - last_y) / (x - last_x), -4.0, -1.0);
+    last_x = x;
+    last_y = y;
+    x += std::clamp((log_elements - y) / slope, -1.5, 1.5);
+  }
+  return x;
+}
+
+MeshOptions with_default_size(const Model& model, const MeshOptions& options) {
+  if (options.size != 0.0) return options;
+  MeshOptions chosen = options;
+  chosen.size = global_size(model, options);
+  chosen.suit_curvature = true;
+  const bool free =
+      options.attributes.empty() && !options.background && options.min_size == 0.0 && options.max_size == 0.0;
+  if (!free) return chosen;
+  const auto sizes = [&](double log_scale) {
+    MeshOptions scaled = chosen;
+    scaled.size = chosen.size * std::exp(log_scale);
+    return scaled;
+  };
+  const double elements = estimated_elements(model, plan_sizes(model, chosen));
+  const double wanted = std::clamp(elements, kFewest, kMost);
+  return wanted == elements ? chosen : sizes(log_scale_for(model, sizes, std::log(wanted), 0.0));
+}
+
+}  // namespace octet

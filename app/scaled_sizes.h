@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sizes that follow from a number of elements, told from octrees alone.
+#pragma once
+
+#include <functional>
+
+#include "app/mesh_part.h"
+
+namespace octet {
+
+/// The options with all sizes, wherever they come from, multiplied.
+[[nodiscard]] MeshOptions scaled_sizes(const Model& model, const MeshOptions& options, double scale);
+
+/// The logarithm of the scale at which the octree of sizes(log_scale) promises so many elements, near enough;
+/// the search begins at `start` and takes eight octrees at most.
+[[nodiscard]] double log_scale_for(const Model& model, const std::function<MeshOptions(double)>& sizes,
+                                   double log_elements, double start);
+
+/// Where no size is asked for: the part's default size, with octants that suit its commonest radius. When
+/// nothing else is asked for either, the size is scaled so that the mesh will have 2 000 to 500 000 elements.
+/// Other options are returned as they are.
+[[nodiscard]] MeshOptions with_default_size(const Model& model, const MeshOptions& options);
+
+}  // namespace octet
