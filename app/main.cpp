@@ -15,6 +15,7 @@
 #include "app/reading_options.h"
 #include "app/size_options.h"
 #include "base/error.h"
+#include "geom/closest_word.h"
 
 namespace octet {
 namespace {
@@ -180,6 +181,20 @@ void add_improve(CLI::App& app, ImproveCommand& improve) {
   sub.footer(kFooter);
 }
 
+/// What may have been meant by the first option that a command does not know.
+std::string meant(const CLI::App& app) {
+  for (const CLI::App* command : app.get_subcommands())
+    for (const std::string& word : command->remaining()) {
+      if (word.rfind("--", 0) != 0) continue;
+      std::vector<std::string> known;
+      for (const CLI::Option* option : command->get_options())
+        for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+      const std::string close = closest_word(word.substr(0, word.find('=')), known);
+      return close.empty() ? std::string() : " (did you mean " + close + "?)";
+    }
+  return {};
+}
+
 int run(int argc, char** argv) {
   CLI::App app("Octet: CAD part in, classified tetrahedral mesh out", "octet");
   app.set_version_flag("--version", std::string("octet ") + OCTET_VERSION);
@@ -204,7 +219,7 @@ int run(int argc, char** argv) {
     return complain(error.what(), kExitBadInput);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-    return complain(std::string(error.what()) + "; see octet --help", kExitBadInput);
+    return complain(error.what() + meant(app) + "; see octet --help", kExitBadInput);
   }
   if (app.got_subcommand("mesh")) return guarded([&] { return run_mesh(mesh); });
   if (app.got_subcommand("adapt")) return guarded([&] { return run_mesh(adapt); });

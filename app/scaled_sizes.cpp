@@ -12,6 +12,9 @@ namespace {
 
 constexpr double kSlope = -2.5;  // the first guess of d log(count) / d log(size)
 
+/// Coarser sizes by curvature leave six elements on a circle.
+constexpr double kWidestAngle = M_PI / 3.0;
+
 /// What a mesh without a size may be estimated at. Estimates of thin sheets are up to three times the truth,
 /// those of parts with many small features down to four fifths: meshes have 2 000 to 500 000 elements.
 constexpr double kFewest = 4'000.0, kMost = 400'000.0;
@@ -23,6 +26,11 @@ MeshOptions scaled_sizes(const Model& model, const MeshOptions& options, double 
   scaled.target_elements = 0.0;
   scaled.size = scale * global_size(model, options);
   scaled.max_size = 0.0;  // in the size already
+  scaled.curvature_angle =
+      std::min(scale * options.curvature_angle, std::max(options.curvature_angle, kWidestAngle));
+  // Finer sizes make walls no thinner: what is asked for across them is a least number.
+  scaled.wall_elements /= std::max(scale, 1.0);
+  scaled.gap_elements /= std::max(scale, 1.0);
   for (SizeAttribute& attribute : scaled.attributes) {
     if (attribute.elements > 0)
       attribute.elements = std::max(1, static_cast<int>(attribute.elements / scale));

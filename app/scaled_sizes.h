@@ -8,7 +8,9 @@
 
 namespace octet {
 
-/// The options with all sizes, wherever they come from, multiplied.
+/// The options with all sizes, wherever they come from, multiplied: those of the user, and with them the
+/// angle of an element on curved faces, to 60 degrees; elements across walls and gaps become fewer where
+/// sizes grow.
 [[nodiscard]] MeshOptions scaled_sizes(const Model& model, const MeshOptions& options, double scale);
 
 /// The logarithm of the scale at which the octree of sizes(log_scale) promises so many elements, near enough;

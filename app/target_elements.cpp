@@ -35,18 +35,19 @@ MeshResult mesh_to_target(const Model& model, const MeshOptions& options,
                           const std::function<MeshResult(const MeshOptions&)>& mesh) {
   constexpr int kMostMeshes = 8;
   const double target = options.target_elements;
+  const MeshOptions whole = with_default_size(model, options);
   // A guess by volume first, so that no tree is far too large.
   double volume = 0.0;
   for (int r = 1; r <= model.count(3); ++r) volume += model.region(r).volume;
   const double guess = kEdgePerOctant * std::cbrt(kTetsPerOctant * volume / target);
-  double x = std::log(guess / global_size(model, options)), correction = 0.0;
+  double x = std::log(guess / whole.size), correction = 0.0;
   std::optional<MeshResult> best;
   std::vector<std::pair<double, double>>
       tried;  // scales and what their meshes were off by, logarithms of both
   const auto miss = [target](const MeshResult& result) {
     return std::abs(static_cast<double>(result.report.tets) / target - 1.0);
   };
-  const auto sizes = [&](double log_scale) { return scaled_sizes(model, options, std::exp(log_scale)); };
+  const auto sizes = [&](double log_scale) { return scaled_sizes(model, whole, std::exp(log_scale)); };
   for (int i = 0; i < kMostMeshes; ++i) {
     if (!crossing(tried)) x = log_scale_for(model, sizes, std::log(target) - correction, x);
     MeshResult result = mesh(sizes(x));

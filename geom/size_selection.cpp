@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "geom/closest_word.h"
 #include "geom/size_attributes.h"
 #include "geom/text_pattern.h"
 
@@ -80,6 +81,25 @@ bool matches(const Model& model, const SizeAttribute& attribute, ModelRef entity
   }
 }
 
+/// What may have been meant, for an attribute that names nothing.
+std::string meant(const Model& model, const SizeAttribute& attribute) {
+  std::vector<std::string> known;
+  for (int dim = 0; dim < 4; ++dim)
+    for (int tag = 1; (attribute.dim < 0 || dim == attribute.dim) && tag <= model.count(dim); ++tag)
+      known.push_back(attribute.where == Where::kColour ? model.face(tag).colour
+                                                        : name_of(model, {dim, tag}));
+  const std::size_t number = attribute.pattern.find_first_of("0123456789");
+  if (attribute.dim < 0 && number != std::string::npos)
+    for (const char* kind : {"Vertex", "Edge", "Face", "Region"})
+      known.push_back(std::string(kind).append(attribute.pattern, number));
+  std::string text = "; octet info --entities lists what it has";
+  const std::string close = closest_word(attribute.pattern, known);
+  if (!close.empty()) text.append(" (did you mean \"").append(close).append("\"?)");
+  if (attribute.where == Where::kNumbers)
+    text.append(" (its numbers end at ").append(std::to_string(model.count(attribute.dim))).append(")");
+  return text;
+}
+
 }  // namespace
 
 std::vector<ModelRef> selected_entities(const Model& model, const SizeAttribute& attribute) {
@@ -95,10 +115,10 @@ std::vector<ModelRef> selected_entities(const Model& model, const SizeAttribute&
   }
   std::string message = "size attribute \"" + attribute.text;
   if (found.empty())
-    throw InputError(message.append("\" names nothing of the part; octet info lists its entities and names"));
+    throw InputError(message.append("\" names nothing of the part").append(meant(model, attribute)));
   if (attribute.where == Where::kNumbers && attribute.last > model.count(attribute.dim))
-    throw InputError(message.append("\": the part has numbers up to ")
-                         .append(std::to_string(model.count(attribute.dim))));
+    throw InputError(
+        message.append("\": the part has numbers up to ").append(std::to_string(model.count(attribute.dim))));
   return found;
 }
 

@@ -6,7 +6,7 @@
                     [--manifest TSV --difficulty easy --kind solid] [--meshstat PATH] [--meshvscad PATH]
                     [--keep DIR] [--jobs 1]
 
-A size is `default` or a number N: the part's diagonal / N. A manifest is a tab separated table with the columns
+A size is `default`, a number N: the part's diagonal / N, or =N: that many elements. A manifest is a tab separated table with the columns
 name, difficulty and kind. The judges are independent programs that print JSON (`meshstat MESH`,
 `meshvscad PART MESH`). The exit code is 0 when every run is complete and every judge content.
 """
@@ -30,7 +30,7 @@ def arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("parts", nargs="+", help="folders or CAD files")
     parser.add_argument("--octet", default="build/app/octet")
-    parser.add_argument("--sizes", default="default,40", help="comma separated: default, or N for diagonal/N")
+    parser.add_argument("--sizes", default="default,40", help="comma separated: default, N for diagonal/N, =N for N elements")
     parser.add_argument("--limit", type=float, default=300.0, help="seconds a run may take")
     parser.add_argument("--manifest", help="TSV with the columns name, difficulty, kind")
     parser.add_argument("--difficulty", help="comma separated; only these rows of the manifest")
@@ -109,6 +109,8 @@ def judge_part(args, part, mesh):
 def size_options(args, part, size):
     if size == "default":
         return []
+    if size.startswith("="):
+        return ["--target-elements", size[1:]]
     code, out, err, _ = call([args.octet, "info", part, "--json"], args.limit)
     if code != 0:
         raise RuntimeError(err.strip() if code is not None else "octet info ran out of time")
@@ -120,7 +122,7 @@ def run_one(args, part, size, folder):
     mesh = os.path.join(folder, f"{name}-{size}.msh")
     report_file = mesh + ".json"
     row = dict.fromkeys(HEAD, "-")
-    row.update(file=name, size=size if size == "default" else f"d/{size}", status="-", why="", good=False)
+    row.update(file=name, size=size if size == "default" or size.startswith("=") else f"d/{size}", status="-", why="", good=False)
     try:
         options = size_options(args, part, size)
     except RuntimeError as error:
@@ -194,6 +196,10 @@ def main():
     sharp = sum(a < 15.0 for a in angles)
     print(f"{len(parts)} parts, {len(rows)} runs: {complete} complete, {good} complete and confirmed by every judge; "
           f"smallest dihedral {least:.1f} degrees, below 15 degrees in {sharp} runs")
+    misses = [abs(r["tets"] / float(r["size"][1:]) - 1) for r in rows if r["size"].startswith("=") and r["tets"] != "-"]
+    if misses:
+        near = sum(m <= 0.15 for m in misses)
+        print(f"{near} of {len(misses)} within 15 % of the elements asked for, the worst off by {100 * max(misses):.0f} %")
     return 0 if good == len(rows) else 1
 
 

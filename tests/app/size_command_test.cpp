@@ -69,6 +69,27 @@ TEST(SizeCommand, WhatMakesNoSenseIsRefusedInOneLine) {
   }
 }
 
+TEST(SizeCommand, MisspeltWordsAreToldWhatTheyMayHaveMeant) {
+  const TemporaryDirectory out;
+  write_bytes(out.file("a.toml"), "sise = 2\n");
+  const auto refusal = [&](const std::string& part, const std::vector<std::string>& options) {
+    std::vector<std::string> all{"mesh", part, "-o", out.file("a.msh")};
+    all.insert(all.end(), options.begin(), options.end());
+    const ProgramRun run = run_octet(all);
+    EXPECT_EQ(run.exit_code, kExitBadInput);
+    return run.err;
+  };
+  const auto says = [](const std::string& text, const std::string& what) {
+    return text.find(what) != std::string::npos;
+  };
+  const std::string fixture = model_file("fixture.step");
+  EXPECT_TRUE(says(refusal(fixture, {"--curvatur", "12"}), "did you mean --curvature?"));
+  EXPECT_TRUE(says(refusal(fixture, {"--config", out.file("a.toml")}), "did you mean --size?"));
+  EXPECT_TRUE(says(refusal(fixture, {"--size-at", "Face:saet=1"}), "did you mean \"seat\"?"));
+  EXPECT_TRUE(says(refusal(fixture, {"--size-at", "Fase3=1"}), "did you mean \"Face3\"?"));
+  EXPECT_TRUE(says(refusal(fixture, {"--size-at", "Face900=1"}), "its numbers end at "));
+}
+
 TEST(SizeCommand, PointCloudsAreFields) {
   const TemporaryDirectory out;
   write_bytes(out.file("a.csv"), "x,y,z,size\n0,0,0,0.5\n5,10,15,3\n10,20,30,3\n");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The sizes of finished meshes are those asked for, where they were asked for.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <BRepAlgoAPI_Cut.hxx>
@@ -134,6 +135,46 @@ TEST(Sizes, VerticesShapesAndRegionsGetTheirs) {
   }
 }
 
+TEST(Sizes, EveryWayToNameAnEntityGivesTheSameSizes) {
+  const Model model = read_part(model_file("fixture.step"));
+  int seat = 0;
+  for (int f = 1; f <= model.count(2); ++f)
+    if (model.face(f).name == "seat") seat = f;
+  ASSERT_GT(seat, 0);
+  const auto samples = [&](const std::string& place) {
+    MeshOptions options = uniform(4.0);
+    options.attributes.push_back(parse_size_attribute(place + "=1"));
+    std::vector<Vec3> places;
+    for (const SizeSample& sample : plan_sizes(model, options).samples) {
+      EXPECT_EQ(sample.size, 1.0);
+      places.push_back(sample.place);
+    }
+    return places;
+  };
+  const std::string number = std::to_string(seat);
+  const std::vector<Vec3> wanted = samples("Face" + number);
+  EXPECT_FALSE(wanted.empty());
+  EXPECT_EQ(samples("Face" + number + "-" + number), wanted);
+  EXPECT_EQ(samples("Face:se?t"), wanted);
+  EXPECT_EQ(samples("seat"), wanted);
+  EXPECT_EQ(samples(fmt::format("Face{}", model.face(seat).colour)), wanted);
+  const Vec3 middle = model.face_closest(seat, Vec3(10.0, 10.0, 20.0)).point;
+  EXPECT_EQ(samples(fmt::format("Face@{},{},{}", middle.x(), middle.y(), middle.z())), wanted);
+}
+
+TEST(Sizes, AFunctionOfThePlaceIsAField) {
+  MeshOptions options = uniform(0.4);
+  options.background = sampled_field([](const Vec3& p) { return p.x() < 1.0 ? 0.1 : 0.0; });
+  const Mesh mesh = complete(analytic_box(Vec3(3.0, 2.0, 2.5)), options).mesh;
+  const auto between = [&](double least, double most) {
+    return edge_lengths(mesh, mesh.tets, [&](const Vec3& a, const Vec3& b) {
+      return std::min(a.x(), b.x()) > least && std::max(a.x(), b.x()) < most;
+    });
+  };
+  expect_median(between(-1.0, 0.9), 0.1, "where it says so");
+  expect_median(between(2.2, 4.0), 0.4, "where it says nothing");
+}
+
 TEST(Sizes, ARegionMayBeFinerOrCoarserThanItsNeighbour) {
   const Model model = analytic_two_boxes(Vec3(1.0, 1.0, 1.0));
   for (const double size : {0.06, 0.3}) {
@@ -240,6 +281,14 @@ TEST(Sizes, WallsGetTheElementsAskedForAcross) {
   const Model tube = model_from_shape(
       BRepAlgoAPI_Cut(BRepPrimAPI_MakeCylinder(1.0, 1.0).Shape(), BRepPrimAPI_MakeCylinder(0.75, 1.0).Shape())
           .Shape());
+  const Model nested = model_from_shape(
+      BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(1.6, 1.4, 1.2).Shape(),
+                      BRepPrimAPI_MakeBox(gp_Pnt(0.2, 0.2, 0.2), gp_Pnt(1.4, 1.2, 1.0)).Shape())
+          .Shape());
+  const Model fin = model_from_shape(
+      BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(1.5, 1.0, 1.2).Shape(),
+                      BRepPrimAPI_MakeBox(gp_Pnt(0.2, -1.0, 0.4), gp_Pnt(3.0, 3.0, 3.0)).Shape())
+          .Shape());
   const auto across = [](const Model& model, double size, int n, const Vec3& a, const Vec3& b) {
     MeshOptions options = uniform(size);
     options.wall_elements = n;
@@ -251,6 +300,10 @@ TEST(Sizes, WallsGetTheElementsAskedForAcross) {
     EXPECT_GE(across(plate, 0.5, n, Vec3(0.8, 0.6, 0.0), Vec3(0.8, 0.6, 0.3)), n) << "plate";
   for (const int n : {2, 3})
     EXPECT_GE(across(tube, 0.6, n, Vec3(0.0, 1.0, 0.5), Vec3(0.0, 0.75, 0.5)), n) << "tube";
+  for (const int n : {2, 3}) {
+    EXPECT_GE(across(fin, 0.6, n, Vec3(0.0, 0.5, 0.9), Vec3(0.2, 0.5, 0.9)), n) << "fin";
+  }
+  EXPECT_GE(across(nested, 0.5, 2, Vec3(0.0, 0.7, 0.6), Vec3(0.2, 0.7, 0.6)), 2) << "nested boxes";
   EXPECT_GE(across(shell, 0.6, 2, Vec3(0.0, 0.0, 1.0), Vec3(0.0, 0.0, 0.75)), 2) << "shell";
 }
 

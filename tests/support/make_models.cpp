@@ -129,6 +129,12 @@ TopoDS_Wire profile(double z, double chord, double thickness, double twist) {
   return wire.Wire();
 }
 
+/// A square prism without a quarter: what refinement towards an edge is tried on.
+TopoDS_Shape l_domain() {
+  return cut(BRepPrimAPI_MakeBox(gp_Pnt(-10, -10, 0), gp_Pnt(10, 10, 4)),
+             BRepPrimAPI_MakeBox(gp_Pnt(0, -20, -1), gp_Pnt(20, 0, 5)));
+}
+
 /// A twisted, tapered blade: two B-spline sheets that meet in sharp edges, and two flat ends.
 TopoDS_Shape blade() {
   BRepOffsetAPI_ThruSections loft(true, false);
@@ -267,7 +273,7 @@ int main(int argc, char** argv) {
                     write(BRepPrimAPI_MakeTorus(20, 5).Shape(), directory, "torus") &&
                     write(cut(centred, ball), directory, "box_minus_ball") &&
                     write(cut(plate, cylinder(20, 15, -1, gp::DZ(), 6, 3)), directory, "plate_with_hole") &&
-                    write(blade(), directory, "blade") && write_fixture(directory) &&
-                    write_bugs(directory + "/bugs");
+                    write(blade(), directory, "blade") && write(l_domain(), directory, "l_domain") &&
+                    write_fixture(directory) && write_bugs(directory + "/bugs");
   return done ? 0 : 1;
 }
