@@ -128,6 +128,31 @@ void flag_narrow_places(const Mesh& mesh, std::span<const double> size, std::vec
   }
 }
 
+/// Squared distance from p to the line segment ab.
+double squared_distance(const Vec3& p, const Vec3& a, const Vec3& b) {
+  const Vec3 along = b - a;
+  const double share = std::clamp((p - a).dot(along) / along.squaredNorm(), 0.0, 1.0);
+  return (a + share * along - p).squaredNorm();
+}
+
+/// Cusps of faces, where the vertices of one edge stand between those of the other.
+void flag_narrow_cusps(const Mesh& mesh, std::span<const double> size, std::vector<char>& flagged) {
+  const auto pieces = sorted_pieces(mesh);
+  for (const auto& v : mesh.triangles) {
+    for (int i = 0; i < 3; ++i) {
+      const Index apex = v[i], a = v[(i + 1) % 3], b = v[(i + 2) % 3];
+      const ModelRef on = mesh.point_on[apex];
+      if (on.dim > 1 || mesh.point_on[a].dim > 1 || mesh.point_on[b].dim > 1) continue;
+      if (on.dim == 1 && (on == mesh.point_on[a] || on == mesh.point_on[b])) continue;
+      const double near = kNarrow * std::min({size[apex], size[a], size[b]});
+      if (squared_distance(mesh.points[apex], mesh.points[a], mesh.points[b]) >= near * near) continue;
+      if (!std::binary_search(pieces.begin(), pieces.end(), std::array{std::min(a, b), std::max(a, b)}))
+        continue;
+      flagged[apex] = flagged[a] = flagged[b] = 1;
+    }
+  }
+}
+
 /// A face of a tetrahedron met by a ray.
 struct Exit {
   int face = -1;
@@ -193,6 +218,7 @@ std::vector<char> forbidding_vertices(const Mesh& mesh, std::span<const double> 
   flag_sharp_edges(mesh, links, flagged);
   flag_sharp_corners(mesh, flagged);
   flag_narrow_places(mesh, size, flagged);
+  flag_narrow_cusps(mesh, size, flagged);
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
     for (int f = 0; f < 4; ++f) {
       if (!links.wall[t][f]) continue;

@@ -21,9 +21,10 @@ inline constexpr double kNarrow = 0.35;
 ///  2. a model vertex where two mesh edges on model edges meet at less than that;
 ///  3. a wall under one element: straight in from a boundary triangle another model face, or another part of
 ///     the same, is met within the local size, facing the first to within kSharpAngle;
-///  4. an edge between vertices of two model edges or vertices that come nearer than kNarrow of the size: a
-///  face
-///     or a step narrower than that.
+///  4. vertices of two model edges or vertices that an edge joins, or a vertex of one and a piece of the
+///  other
+///     that a triangle joins, nearer to each other than kNarrow of the size: a face or a step narrower than
+///     that.
 /// An element is limited by the geometry when it has such a vertex. `size` is the local size per vertex,
 /// model units. Requires the invariants of Mesh.
 [[nodiscard]] std::vector<char> forbidding_vertices(const Mesh& mesh, std::span<const double> size);

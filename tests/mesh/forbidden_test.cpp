@@ -88,6 +88,27 @@ TEST(Forbidden, AStripNarrowerThanAThirdOfTheSizeFlagsBothItsEdges) {
   }
 }
 
+TEST(Forbidden, ACuspFlagsAVertexNearToThePieceAcrossThoughFarFromItsEnds) {
+  const Vec3 size(1.0, 1.0, 1.0);
+  Mesh mesh = box_mesh(plain_box(size), size, {2, 2, 2});
+  ASSERT_EQ(flagged(mesh, 0.5), 0u);
+  // The vertex in the middle of a face comes to lie on an edge of its own, near to a piece of the box's.
+  const auto is_piece = [&](Mesh::Index a, Mesh::Index b) {
+    return std::any_of(mesh.edges.begin(), mesh.edges.end(),
+                       [&](const auto& e) { return std::minmax(e[0], e[1]) == std::minmax(a, b); });
+  };
+  const auto cusp = std::find_if(mesh.triangles.begin(), mesh.triangles.end(), [&](const auto& v) {
+    return mesh.point_on[v[0]].dim == 2 && is_piece(v[1], v[2]);
+  });
+  ASSERT_NE(cusp, mesh.triangles.end());
+  const auto [apex, a, b] = *cusp;
+  const Vec3 middle = 0.5 * (mesh.points[a] + mesh.points[b]);
+  mesh.points[apex] = middle + 0.2 * (mesh.points[apex] - middle);
+  EXPECT_EQ(flagged(mesh, 0.5), 0u);
+  mesh.point_on[apex] = model_edge(99);
+  EXPECT_EQ(flagged(mesh, 0.5), 3u);
+}
+
 TEST(Forbidden, AnElementTouchesByOneVertex) {
   const std::vector<char> flags{0, 0, 1, 0, 0};
   EXPECT_TRUE(touches({0, 1, 2, 3}, flags));
