@@ -83,7 +83,7 @@ class SurfaceSampler {
     std::vector<FarPlace> far;
   };
 
-  /// Samples at the centroids of the facet's n x n division, on the exact surface.
+  /// Samples at the centroids of the facet's n x n division, on the exact surface and within the face.
   void sample_facet(int face, std::uint32_t f, const Density& density, Found& found) const {
     const Facets& facets = in_.model.facets();
     const auto& v = facets.triangles[f];
@@ -101,11 +101,17 @@ class SurfaceSampler {
   }
 
   void check(int face, const Vec3& p, Found& found) const {
+    FarPlace far = distance_at(face, p);
+    // Where a border bends the facets go beyond the face; on a strip, by more than its elements.
+    if (far.share > kShare) far = distance_at(face, in_.model.face_closest(face, p).point);
+    found.worst = std::max(found.worst, far.share);
+    if (far.share > kShare) found.far.push_back(far);
+  }
+
+  [[nodiscard]] FarPlace distance_at(int face, const Vec3& p) const {
     const auto near = bvh_.nearest(p, std::numeric_limits<double>::infinity(), face);
-    if (!near) return;
-    const double share = near->distance / in_.longest_side(in_.mesh.triangles[near->triangle]);
-    found.worst = std::max(found.worst, share);
-    if (share > kShare) found.far.push_back({share, near->distance, p});
+    if (!near) return {0.0, 0.0, p};
+    return {near->distance / in_.longest_side(in_.mesh.triangles[near->triangle]), near->distance, p};
   }
 
   const ClaimInput& in_;

@@ -59,6 +59,11 @@ class OcctCurve final : public Curve {
   }
   [[nodiscard]] std::vector<double> knots() const;
   void sample(double a, double b, int depth);
+  struct Nearest {
+    double squared, t;  ///< squared distance; parameter
+    bool operator<(const Nearest& o) const { return squared < o.squared; }
+  };
+  [[nodiscard]] Nearest refine_around(std::size_t where, const Vec3& p, double hint) const;
   [[nodiscard]] double refine(const Vec3& p, double t, double lo, double hi) const;
   [[nodiscard]] double root(int axis, double value, double a, double b) const;
   void cut_piece(int axis, double value, double a, double b, std::vector<double>& parameters) const;
@@ -137,19 +142,28 @@ double OcctCurve::project(const Vec3& p, double hint) const {
       where = i;
     }
   }
-  const double lo = sample_t_[where > 0 ? where - 1 : 0], hi = sample_t_[std::min(where + 1, n - 1)];
+  Nearest nearest = refine_around(where, p, hint);
+  // The two ends of a closed curve are one place: rounding alone chose between them.
+  if (where == 0 || where == n - 1) {
+    const std::size_t other = n - 1 - where;
+    if ((sample_[where] - sample_[other]).norm() <= 1e-9 * scale_)
+      nearest = std::min(nearest, refine_around(other, p, hint));
+  }
+  return nearest.t;
+}
+
+/// The nearest point between the neighbours of a sample.
+OcctCurve::Nearest OcctCurve::refine_around(std::size_t where, const Vec3& p, double hint) const {
+  const double lo = sample_t_[where > 0 ? where - 1 : 0],
+               hi = sample_t_[std::min(where + 1, sample_.size() - 1)];
   const bool hint_inside = hint >= lo && hint <= hi;
-  const double t = refine(p, hint_inside ? hint : sample_t_[where], lo, hi);
-  double result = std::clamp(t, t0_, t1_);
-  double distance = (point(result) - p).squaredNorm();
+  const double t = std::clamp(refine(p, hint_inside ? hint : sample_t_[where], lo, hi), t0_, t1_);
+  Nearest nearest{(point(t) - p).squaredNorm(), t};
   for (const double end : {lo, hi}) {
     const double d = (point(end) - p).squaredNorm();
-    if (d < distance) {
-      distance = d;
-      result = end;
-    }
+    if (d < nearest.squared) nearest = {d, end};
   }
-  return result;
+  return nearest;
 }
 
 double OcctCurve::root(int axis, double value, double a, double b) const {

@@ -194,5 +194,23 @@ TEST(FreeCurve, ProjectionGivesTheNearestPointEndsIncluded) {
   EXPECT_LT((arc->point(arc->project({2.0, 0.1, 0.0}, 0.5)) - start).norm(), 1e-12);
 }
 
+TEST(FreeCurve, ProjectionOnAClosedCurveLooksBothWaysFromWhereItCloses) {
+  // Turned so that the two ends differ by rounding, which must not say on which side the foot is.
+  for (int turn = 0; turn < 20; ++turn) {
+    const double start = 0.1 + 0.31 * turn;
+    const gp_Ax2 axes(gp_Pnt(3, 1, 2), gp_Dir(1, 2, 3), gp_Dir(std::cos(start), std::sin(start), 0.5));
+    const Handle(Geom_BSplineCurve) spline =
+        GeomConvert::CurveToBSplineCurve(new Geom_TrimmedCurve(new Geom_Circle(axes, 2.0), 0.0, 2.0 * kPi));
+    spline->SetNotPeriodic();
+    const double t0 = spline->FirstParameter(), t1 = spline->LastParameter();
+    const auto circle = make_free_curve(CurveJets(Handle(Geom_Curve)(spline)), t0, t1);
+    for (const double share : {1e-4, 1e-3, 0.01, 0.99, 0.999, 1.0 - 1e-4}) {
+      const Vec3 p = circle->point(t0 + share * (t1 - t0));
+      for (const double hint : {t0, t1})
+        EXPECT_LT((circle->point(circle->project(p, hint)) - p).norm(), 1e-9) << turn << " " << share;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace octet
