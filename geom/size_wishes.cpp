@@ -20,16 +20,27 @@ void wish_on_edge(const Model& model, int edge, double t0, double t1, double siz
 
 void wish_on_triangle(const std::array<Vec3, 3>& corners, double size, const Wisher& who, Wishes& wishes) {
   if (!wishes.counts(size)) return;
-  const auto& [a, b, c] = corners;
-  constexpr int kMost = 4096;
-  const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
-  const int n = std::clamp(static_cast<int>(std::ceil(longest / wishes.floored(size))), 1, kMost);
-  if (n == 1) {
+  // Rows along the longest side: a long thin facet has no more samples than its area asks for.
+  std::size_t apex = 0;
+  const auto side = [&](std::size_t k) { return (corners[(k + 2) % 3] - corners[(k + 1) % 3]).norm(); };
+  for (std::size_t k = 1; k < 3; ++k)
+    if (side(k) > side(apex)) apex = k;
+  const Vec3 &a = corners[(apex + 1) % 3], &b = corners[(apex + 2) % 3], &c = corners[apex];
+  const double longest = side(apex);
+  const auto pieces = [&](double length) {
+    constexpr int kMost = 4096;
+    return std::clamp(static_cast<int>(std::ceil(length / wishes.floored(size))), 1, kMost);
+  };
+  if (pieces(longest) == 1) {
     wishes.add((a + b + c) / 3.0, size, who);
     return;
   }
-  for (int i = 0; i <= n; ++i)
-    for (int j = 0; i + j <= n; ++j) wishes.add(a + (b - a) * i / n + (c - a) * j / n, size, who);
+  const int rows = pieces((b - a).cross(c - a).norm() / longest);
+  for (int i = 0; i <= rows; ++i) {
+    const Vec3 from = a + (c - a) * i / rows, along = (b - a) * (rows - i) / rows;
+    const int n = pieces(along.norm());
+    for (int j = 0; j <= n; ++j) wishes.add(from + along * j / n, size, who);
+  }
 }
 
 }  // namespace octet

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "geom/size_wishes.h"
 #include "tests/geom/sample_models.h"
 
 namespace octet {
@@ -38,6 +39,22 @@ TEST(Sizing, CurvatureAsksForItsAnglePerElement) {
   EXPECT_NEAR(smallest(feature_sizes(analytic_cylinder(1.0, 9.0), o)), 0.5, 0.01);
   o.curvature_angle = 0.0;
   EXPECT_TRUE(feature_sizes(analytic_ball(2.0), o).empty());
+}
+
+TEST(Sizing, ALongThinFacetHasAsManySamplesAsItsAreaAsksFor) {
+  Wishes wishes(10.0, 1e-3);
+  const double length = 1000.0, width = 1.0, size = 1.0;
+  wish_on_triangle({Vec3(0, 0, 0), Vec3(length, 0, 0), Vec3(0.4 * length, width, 0)}, size, {}, wishes);
+  const auto samples = wishes.take();
+  EXPECT_LT(samples.size(), 2.0 * length * width / (size * size));
+  test::Dice dice(1);
+  for (int i = 0; i < 200; ++i) {
+    const double s = dice(0, 1), t = dice(0, 1 - s);
+    const Vec3 p(s * length + 0.4 * t * length, t * width, 0);
+    double nearest = 1e9;
+    for (const SizeSample& sample : samples) nearest = std::min(nearest, (sample.place - p).norm());
+    EXPECT_LT(nearest, size);
+  }
 }
 
 TEST(Sizing, SamplesCoverTheCurvedFaceAtTheirOwnSpacing) {
