@@ -23,6 +23,7 @@
 #include <TopoDS_Solid.hxx>
 
 #include "geom/occt/sew.h"
+#include "geom/occt/strips.h"
 
 namespace octet {
 namespace {
@@ -74,6 +75,7 @@ class Healer {
       add_curves(set_.solids[i]);
       turn_faces(set_.solids[i]);
       close(set_.solids[i]);
+      join_strips(set_.solids[i]);
       turn_inside_out(set_.solids[i]);
     }
     if (curves_ > 0)
@@ -158,6 +160,19 @@ class Healer {
                     name_of(solid), numbered("Edge", 1, uses.edges(wrong)), sewn.tolerance));
     set_.history->Merge(sewn.history);
     replace(solid, sewn.solids.front());
+  }
+
+  void join_strips(TopoDS_Shape& solid) {
+    const StripsMerged merged = merge_strips(solid);
+    if (merged.faces.empty() || merged.solid.ShapeType() != TopAbs_SOLID) return;
+    if (edge_uses(solid).first(&Uses::open) == 0 && edge_uses(merged.solid).first(&Uses::open) != 0) return;
+    set_.notes.push_back(
+        fmt::format("{} face(s) of {} are no wider than the tolerance of their sides and became edges, the "
+                    "first is {}",
+                    merged.faces.size(), name_of(solid), numbered("Face", 2, merged.faces.front())));
+    set_.history->Merge(merged.history);
+    replace(solid, merged.solid);
+    add_curves(solid);
   }
 
   void turn_inside_out(TopoDS_Shape& solid) {

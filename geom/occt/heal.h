@@ -12,7 +12,8 @@ namespace octet {
 ///  1. edges without a curve in space, and edges without a curve on a face, get one;
 ///  2. a solid whose faces are not turned alike: they are turned as their neighbours;
 ///  3. an open solid: its faces are sewn, with `sew_tolerance` (0: growing ones), where that closes it;
-///  4. where there are several, a solid turned inside out, so that it fills all space but its hole, is turned
+///  4. faces no wider than the tolerance of their sides become edges;
+///  5. where there are several, a solid turned inside out, so that it fills all space but its hole, is turned
 ///     before they are fused (a single one shows by its facets, which is surer).
 /// What remains open or damaged is left for the later stages to name.
 void heal(const ShapeMaps& as_read, double sew_tolerance, const StageLog& log, SolidSet& set);

@@ -3,12 +3,17 @@
 #include <gtest/gtest.h>
 
 #include <BRepBuilderAPI_Copy.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepTools_ReShape.hxx>
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <GC_MakeArcOfCircle.hxx>
 #include <Geom2d_Curve.hxx>
+#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
@@ -16,6 +21,9 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <TopoDS_Wire.hxx>
+#include <gp_Pln.hxx>
 #include <gp_Trsf.hxx>
 #include <numbers>
 
@@ -66,6 +74,44 @@ std::string note_with(const Model& model, const std::string& words) {
   for (const std::string& note : model.notes())
     if (note.find(words) != std::string::npos) return note;
   return {};
+}
+
+/// A box 1 x 2 x 3 whose face y = 0 ends in an arc that bulges by `bulge` over the edge that the face z = 3
+/// ends in, with a face between the two; the arc has the given tolerance.
+TopoDS_Shape box_with_a_strip(double bulge, double tolerance) {
+  const BRep_Builder builder;
+  std::vector<TopoDS_Face> faces = faces_of(BRepPrimAPI_MakeBox(1.0, 2.0, 3.0).Shape());
+  TopoDS_Edge straight;
+  for (TopExp_Explorer it(faces[2], TopAbs_EDGE); it.More(); it.Next())
+    for (TopExp_Explorer other(faces[5], TopAbs_EDGE); other.More(); other.Next())
+      if (it.Current().IsSame(other.Current()))
+        straight = TopoDS::Edge(it.Current().Oriented(TopAbs_FORWARD));
+  const TopoDS_Vertex from = TopExp::FirstVertex(straight), to = TopExp::LastVertex(straight);
+  const GC_MakeArcOfCircle arc(BRep_Tool::Pnt(from), gp_Pnt(0.5, -bulge, 3.0), BRep_Tool::Pnt(to));
+  const TopoDS_Edge bowed = BRepBuilderAPI_MakeEdge(arc.Value(), from, to).Edge();
+  builder.UpdateEdge(bowed, tolerance);
+  BRepTools_ReShape reshape;
+  reshape.Replace(straight, bowed);
+  faces[2] = TopoDS::Face(reshape.Apply(faces[2]));
+  const gp_Pln top(gp_Pnt(0, 0, 3), gp::DZ());
+  const TopoDS_Wire loop = BRepBuilderAPI_MakeWire(bowed, TopoDS::Edge(straight.Reversed())).Wire();
+  faces.push_back(BRepBuilderAPI_MakeFace(top, loop).Face());
+  return solid_of(faces);
+}
+
+TEST(Heal, AFaceWithinTheToleranceOfItsSidesBecomesAnEdge) {
+  const Model model = model_from_shape(box_with_a_strip(0.004, 0.005));
+  EXPECT_NE(note_with(model, "no wider than the tolerance of their sides"), "");
+  EXPECT_EQ(model.count(2), 6);
+  EXPECT_EQ(model.count(1), 12);
+  EXPECT_EQ(check_model(model), "");
+  EXPECT_NEAR(model.region(1).volume, 6.0, 0.01);
+}
+
+TEST(Heal, AFaceWiderThanTheToleranceOfItsSidesStays) {
+  const Model model = model_from_shape(box_with_a_strip(0.04, 0.005));
+  EXPECT_EQ(note_with(model, "no wider than the tolerance of their sides"), "");
+  EXPECT_EQ(model.count(2), 7);
 }
 
 TEST(Heal, SaysNothingOfAHealthyPart) {

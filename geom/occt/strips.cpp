@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Strips are found by the tolerances of their own sides, and replaced by OCCT.
+#include "geom/occt/strips.h"
+
+#include <BRep_Tool.hxx>
+#include <Precision.hxx>
+#include <ShapeAnalysis_CheckSmallFace.hxx>
+#include <ShapeBuild_ReShape.hxx>
+#include <ShapeFix_FixSmallFace.hxx>
+#include <Standard_Failure.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+
+#include <algorithm>
+#include <array>
+
+namespace octet {
+namespace {
+
+/// The two long sides of the face when they are nowhere farther apart than `width`; null edges else.
+std::array<TopoDS_Edge, 2> sides_within(const TopoDS_Face& face, double width) {
+  std::array<TopoDS_Edge, 2> side;
+  try {
+    ShapeAnalysis_CheckSmallFace check;
+    if (!check.CheckStripFace(face, side[0], side[1], width)) return {};
+  } catch (const Standard_Failure&) {  // OCCT cannot tell: not a strip
+    return {};
+  }
+  return side;
+}
+
+/// Twice the tolerance of its vaguer long side where the face is no wider than that, else 0.
+double strip_width(const TopoDS_Face& face) {
+  double width = 0.0;
+  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next())
+    width = std::max(width, 2.0 * BRep_Tool::Tolerance(TopoDS::Edge(it.Current())));
+  // Nearly all faces end here.
+  if (width <= 10.0 * Precision::Confusion()) return 0.0;
+  const auto [a, b] = sides_within(face, width);
+  if (a.IsNull() || b.IsNull()) return 0.0;
+  const double own = 2.0 * std::max(BRep_Tool::Tolerance(a), BRep_Tool::Tolerance(b));
+  return own == width || !sides_within(face, own)[0].IsNull() ? own : 0.0;
+}
+
+}  // namespace
+
+StripsMerged merge_strips(const TopoDS_Shape& solid) {
+  StripsMerged result{solid, new BRepTools_History, {}};
+  double width = 0.0;
+  std::vector<TopoDS_Face> others;
+  for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next()) {
+    const TopoDS_Face& face = TopoDS::Face(it.Current());
+    if (const double own = strip_width(face); own > 0.0) {
+      result.faces.push_back(face);
+      width = std::max(width, own);
+    } else {
+      others.push_back(face);
+    }
+  }
+  // OCCT merges whatever is as narrow: a face that is exact must not go with those that are vague.
+  const auto goes_too = [&](const TopoDS_Face& face) { return !sides_within(face, width)[0].IsNull(); };
+  if (std::any_of(others.begin(), others.end(), goes_too)) result.faces.clear();
+  if (result.faces.empty()) return result;
+  const Handle(ShapeBuild_ReShape) context = new ShapeBuild_ReShape;
+  ShapeFix_FixSmallFace fix;
+  fix.Init(solid);
+  fix.SetContext(context);
+  fix.SetPrecision(width);
+  result.solid = fix.FixStripFace();
+  result.history = context->History();
+  return result;
+}
+
+}  // namespace octet
