@@ -43,8 +43,7 @@ struct Attempt {
 void cut_tree(Attempt& attempt, const Model& model);
 void place_points(Attempt& attempt, const Model& model, double size);
 void triangulate(Attempt& attempt, const Model& model);
-void classify(Attempt& attempt, const Model& model, double size, const AttributeLimits& limits,
-              Observer& observer);
+void classify(Attempt& attempt, const Model& model, double size, AttributeLimits limits, Observer& observer);
 
 /// The tree with the octants around the gaps that are left refined once [Schroeder & Shephard 1990, "Octant
 /// subdivision"]; octants no longer than `finest` stay. None when none can be refined.

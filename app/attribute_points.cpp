@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <unordered_map>
 
 #include "base/error.h"
 #include "base/vertex_order.h"
@@ -44,7 +45,7 @@ class AttributeLoop {
       observer.note(round_text());
       if (result_.gaps.empty() || result_.points >= limits_.points || runs_away()) return finished();
       const std::size_t before = result_.points;
-      for (const Gap& gap : result_.gaps) close(gap);
+      for (const Gap& gap : result_.gaps) close_within_bound(gap);
       relabel();
       if (result_.points == before) return finished();
     }
@@ -71,13 +72,16 @@ class AttributeLoop {
     result_.gaps = find_dual_crossings(band_, mesh(), on_);
   }
 
-  /// Points that make more gaps than they close: at a cusp or within a tolerance, more of them do not help.
+  /// The bound of each cell ends every run; where gaps grow all over the part (a surface that folds over
+  /// itself), this ends it sooner.
   bool runs_away() {
     constexpr std::size_t kPatience = 6, kGrowth = 3, kFew = 60;
-    const std::size_t now = result_.gaps.size();
     if (std::all_of(result_.gaps.begin(), result_.gaps.end(),
                     [](const Gap& gap) { return gap.kind == GapKind::kMissingPiece; }))
       return false;  // facets have not been looked at in this round
+    const auto now = static_cast<std::size_t>(
+        std::count_if(result_.gaps.begin(), result_.gaps.end(),
+                      [&](const Gap& gap) { return spent_at(gap.place) < limits_.per_cell; }));
     fewest_ = std::min(fewest_, now);
     return result_.rounds >= kPatience && now > kGrowth * fewest_ + kFew;
   }
@@ -89,6 +93,19 @@ class AttributeLoop {
         "round {}: {} attribute points; gaps: {} edge pieces, {} faceless, {} edge fans, {} vertex fans, {} "
         "bare, {} dual crossings",
         result_.rounds, result_.points, kinds[0], kinds[1], kinds[2], kinds[3], kinds[4], kinds[5]);
+  }
+
+  /// Points spent on the gaps of the cell that holds a place.
+  std::size_t& spent_at(const Vec3& place) { return spent_[limits_.cell_at ? limits_.cell_at(place) : 0]; }
+
+  /// Where points make more gaps than they close (a cusp, a fold within a tolerance) more of them do not
+  /// help: each cell has so many, and what is open there then stays open, whatever happens elsewhere.
+  void close_within_bound(const Gap& gap) {
+    std::size_t& spent = spent_at(gap.place);
+    if (spent >= limits_.per_cell) return;
+    const std::size_t before = result_.points;
+    close(gap);
+    spent += result_.points - before;
   }
 
   void close(const Gap& gap) {
@@ -314,6 +331,7 @@ class AttributeLoop {
   AttributeResult result_;
   int dual_rounds_ = 0;
   std::size_t fewest_ = std::numeric_limits<std::size_t>::max();
+  std::unordered_map<std::size_t, std::size_t> spent_;  ///< points by cell
   std::vector<std::uint8_t> changed_;  ///< per tetrahedron: made in this round
   std::vector<TetId> relabel_, created_, cavity_;
   TetId last_;
