@@ -159,6 +159,17 @@ Json left_out_json(const Model& model) {
   return json;
 }
 
+Json tiny_json(const PartInfo& info) {
+  Json json = Json::array();
+  for (const TinyFeature& feature : info.tiny)
+    json.push_back({{"dim", feature.entity.dim},
+                    {"tag", feature.entity.tag},
+                    {"size", feature.size},
+                    {"gap", feature.gap},
+                    {"place", vec_json(feature.place)}});
+  return json;
+}
+
 Json wall_json(const Wall& wall) {
   return {{"thickness", wall.thickness},
           {"region", wall.region},
@@ -187,6 +198,11 @@ std::string part_info_json(const std::string& part, const Model& model, const Pa
   if (info.thinnest) json["thinnest_wall"] = wall_json(*info.thinnest);
   json["free_edges"] = info.free_edges;
   json["nonmanifold_edges"] = info.nonmanifold;
+  json["tiny_features"] = tiny_json(info);
+  if (info.widest_gap.tag > 0)
+    json["widest_gap"] = {{"dim", info.widest_gap.dim},
+                          {"tag", info.widest_gap.tag},
+                          {"gap", model.tolerance_of(info.widest_gap)}};
   json["pinched_vertices"] = info.pinched;
   json["dangling_faces"] = info.dangling_faces;
   json["notes"] = model.notes();

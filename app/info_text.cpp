@@ -86,6 +86,9 @@ std::string smallest_lines(const Model& model, const PartInfo& info) {
   if (info.smallest_face > 0)
     text += fmt::format("  smallest face  {}, {:.6g} mm^2\n", model.describe(model_face(info.smallest_face)),
                         model.face(info.smallest_face).area);
+  if (info.widest_gap.tag > 0)
+    text += fmt::format("  widest gap     {}, {:.3g} mm\n", model.describe(info.widest_gap),
+                        model.tolerance_of(info.widest_gap));
   if (info.thinnest)
     text += fmt::format("  thinnest wall  {:.6g} mm at {}, from {} to {}\n", info.thinnest->thickness,
                         place_text(info.thinnest->from), model.describe(model_face(info.thinnest->face)),
@@ -151,7 +154,17 @@ std::string fault_summary(const PartInfo& info) {
   if (!info.free_edges.empty())
     text += fmt::format("  free edges       {}\n", tag_list("Edge", info.free_edges));
   if (!info.nonmanifold.empty())
-    text += fmt::format("  shared edges     {} (more than two faces)\n", tag_list("Edge", info.nonmanifold));
+    text += fmt::format("  shared edges     {} (more than two faces of one solid)\n",
+                        tag_list("Edge", info.nonmanifold));
+  for (const int dim : {1, 2}) {
+    std::vector<int> tags;
+    for (const TinyFeature& feature : info.tiny)
+      if (feature.entity.dim == dim) tags.push_back(feature.entity.tag);
+    if (!tags.empty())
+      text += fmt::format(
+          "  {}    {} (no {} than the gaps around)\n", dim == 1 ? "tiny edges   " : "sliver faces ",
+          tag_list(kKind[static_cast<std::size_t>(dim)], tags), dim == 1 ? "longer" : "wider");
+  }
   if (!info.pinched.empty())
     text += fmt::format("  pinched vertices {} (the boundary touches itself)\n",
                         tag_list("Vertex", info.pinched));

@@ -19,6 +19,16 @@ std::vector<int> edge_uses(const Model& model) {
   return uses;
 }
 
+/// Whether more than two faces of one region, or towards the outside, meet in the edge. That several regions
+/// meet there is no fault.
+bool branches(const Model& model, const ModelEdge& edge) {
+  std::map<int, int> faces;
+  for (const int f : edge.faces)
+    for (const int region : model.face(f).region)
+      if (++faces[region] > 2) return true;
+  return false;
+}
+
 void add_edges(const Model& model, PartInfo& info) {
   const std::vector<int> uses = edge_uses(model);
   for (int e = 1; e <= model.count(1); ++e) {
@@ -29,8 +39,11 @@ void add_edges(const Model& model, PartInfo& info) {
     if (info.smallest_edge == 0 || edge.length < model.edge(info.smallest_edge).length)
       info.smallest_edge = e;
     if (uses[static_cast<std::size_t>(e)] < 2) info.free_edges.push_back(e);
-    if (edge.faces.size() > 2) info.nonmanifold.push_back(e);
+    if (branches(model, edge)) info.nonmanifold.push_back(e);
+    if (edge.tolerance > model.tolerance_of(info.widest_gap)) info.widest_gap = model_edge(e);
   }
+  for (int v = 1; v <= model.count(0); ++v)
+    if (model.vertex(v).tolerance > model.tolerance_of(info.widest_gap)) info.widest_gap = model_vertex(v);
 }
 
 void add_faces(const Model& model, PartInfo& info) {
@@ -124,6 +137,7 @@ PartInfo part_info(const Model& model) {
   info.interfaces = interfaces_of(model);
   info.overlaps = overlaps(model.provenance(), model.count(3));
   info.changes = changed_numbers(model.provenance());
+  info.tiny = tiny_features(model);
   info.thinnest = thinnest_wall(model);
   info.default_size = with_default_size(model, {}).size;
   return info;

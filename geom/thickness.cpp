@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "geom/tiny_features.h"
+
 namespace octet {
 namespace {
 
@@ -51,7 +53,11 @@ std::optional<Wall> thinnest_wall(const Model& model) {
   std::optional<Wall> thinnest;
   std::vector<Hit> hits;
   const Facets& facets = model.facets();
+  // Slivers may have countless facets, and tell nothing of walls.
+  std::vector<bool> skipped(static_cast<std::size_t>(model.count(2)) + 1);
+  for (int f = 1; f <= model.count(2); ++f) skipped[static_cast<std::size_t>(f)] = is_sliver(model, f);
   for (std::size_t i = 0; i < facets.triangles.size(); ++i) {
+    if (skipped[static_cast<std::size_t>(facets.face[i])]) continue;
     const Vec2 uv = (facets.uv[i][0] + facets.uv[i][1] + facets.uv[i][2]) / 3.0;
     for (const int side : {0, 1}) {
       const double limit = thinnest ? thinnest->thickness : 1.01 * model.diagonal();

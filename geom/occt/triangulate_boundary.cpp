@@ -42,7 +42,7 @@ class Chain {
 
   std::vector<double> run(const ModelEdge& edge, bool in_lens) {
     const bool line = std::string_view(curve_.kind()) == "line";
-    const int pieces = edge.vertex[0] == edge.vertex[1] ? 4 : in_lens && !line ? 2 : 1;
+    const int pieces = edge.vertex[0] == edge.vertex[1] ? 4 : in_lens ? 2 : 1;
     parameters_ = {edge.t0};
     for (int i = 0; i < pieces; ++i) {
       const double a = edge.t0 + i * (edge.t1 - edge.t0) / pieces,

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Edges and faces that are no larger than the CAD knows where they are.
+#include "geom/tiny_features.h"
+
+#include <algorithm>
+
+namespace octet {
+namespace {
+
+double least_gap(const Model& model) { return 1e-6 * model.diagonal(); }
+
+/// Of an edge and its vertices.
+double gap_around(const Model& model, const ModelEdge& edge) {
+  const double vertices =
+      std::max(model.vertex(edge.vertex[0]).tolerance, model.vertex(edge.vertex[1]).tolerance);
+  return std::max(least_gap(model), 2.0 * std::max(edge.tolerance, vertices));
+}
+
+TinyFeature measured(const Model& model, int tag, const ModelEdge& edge) {
+  return {model_edge(tag), edge.length, gap_around(model, edge),
+          model.edge_point(tag, 0.5 * (edge.t0 + edge.t1))};
+}
+
+TinyFeature measured(const Model& model, int tag, const ModelFace& face) {
+  TinyFeature feature{model_face(tag), face.area, least_gap(model), Vec3::Zero()};
+  double perimeter = 0.0;
+  for (const FaceBoundary& side : face.boundary) {
+    const ModelEdge& edge = model.edge(side.edge);
+    if (edge.use != EdgeUse::kReal) continue;
+    perimeter += edge.length;
+    feature.gap = std::max(feature.gap, gap_around(model, edge));
+    feature.place = model.edge_point(side.edge, 0.5 * (edge.t0 + edge.t1));
+  }
+  // A face without a border has no sides to lie close together.
+  feature.size = perimeter > 0.0 ? 2.0 * face.area / perimeter : face.area / feature.gap;
+  return feature;
+}
+
+bool is_tiny(const TinyFeature& feature) { return feature.size <= feature.gap; }
+
+}  // namespace
+
+std::vector<TinyFeature> tiny_features(const Model& model) {
+  std::vector<TinyFeature> features;
+  const auto look = [&](const TinyFeature& feature) {
+    if (is_tiny(feature)) features.push_back(feature);
+  };
+  for (int e = 1; e <= model.count(1); ++e)
+    if (model.edge(e).use == EdgeUse::kReal) look(measured(model, e, model.edge(e)));
+  for (int f = 1; f <= model.count(2); ++f) look(measured(model, f, model.face(f)));
+  return features;
+}
+
+bool is_sliver(const Model& model, int face) { return is_tiny(measured(model, face, model.face(face))); }
+
+}  // namespace octet

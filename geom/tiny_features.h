@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Edges and faces that are no larger than the CAD knows where they are.
+#pragma once
+
+#include <vector>
+
+#include "geom/model.h"
+
+namespace octet {
+
+struct TinyFeature {
+  ModelRef entity;
+  double size = 0.0;  ///< an edge's length, a face's width
+  double gap = 0.0;   ///< what it is compared with
+  Vec3 place = Vec3::Zero();
+};
+
+/// Real edges no longer, and faces no wider, than twice the gaps measured around them (of an edge and its
+/// vertices, of a face's edges and theirs), or than 1e-6 of the diagonal: remains of a modeller's or translator's
+/// tolerance. The width of a face is twice its area over its perimeter, that of a strip between two long
+/// sides. Ascending by dimension and tag.
+[[nodiscard]] std::vector<TinyFeature> tiny_features(const Model& model);
+
+/// The same for one face.
+[[nodiscard]] bool is_sliver(const Model& model, int face);
+
+}  // namespace octet
