@@ -38,17 +38,29 @@ std::vector<std::string> json_arguments(const std::string& text) {
   return arguments;
 }
 
+/// The key below its table, without quotes.
+std::string place_of(const CLI::ConfigItem& item) {
+  std::string place;
+  for (std::size_t i = 1; i < item.parents.size(); ++i) place += item.parents[i] + ".";
+  place += item.name;
+  std::erase(place, '"');
+  return place;
+}
+
 std::vector<std::string> toml_arguments(const std::string& text) {
   std::istringstream in(text);
   std::vector<std::string> arguments;
   for (const CLI::ConfigItem& item : CLI::ConfigTOML().from_config(in)) {
     if (item.name == "++" || item.name == "--") continue;  // a section begins or ends
+    if (item.inputs.empty() || item.inputs.front().empty())
+      throw InputError(fmt::format("\"{}\" has no value", item.fullname()));
     for (const std::string& input : item.inputs) {
-      // A table is the other way to write places and sizes: [size-at] with lines Face12 = 0.5.
+      // A table is the other way to write places and sizes: [size-at] with lines Face12 = 0.5. The parser
+      // takes the points of a quoted place for those between tables.
       std::string key = item.name, value = input;
       if (!item.parents.empty()) {
         key = item.parents.front();
-        value = item.name + "=" + input;
+        value = fmt::format("{}={}", place_of(item), input);
       }
       if (input == "true")
         arguments.push_back("--" + key);

@@ -55,7 +55,11 @@ MeshResult mesh_to_target(const Model& model, const MeshOptions& options,
     if (!best || miss(result) < miss(*best)) best = std::move(result);
     if (miss(*best) < kCloseEnough) break;
     correction = std::log(count / estimated_elements(model, plan_sizes(model, sizes(x))));
-    tried.emplace_back(x, std::log(count / target));
+    const double off = std::log(count / target);
+    const bool again =
+        std::any_of(tried.begin(), tried.end(), [off](const auto& one) { return one.second == off; });
+    if (again) break;  // the same octants: between these counts there is none
+    tried.emplace_back(x, off);
     if (const auto between = crossing(tried)) x = *between;
   }
   return *std::move(best);

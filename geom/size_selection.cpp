@@ -88,10 +88,10 @@ std::string meant(const Model& model, const SizeAttribute& attribute) {
     for (int tag = 1; (attribute.dim < 0 || dim == attribute.dim) && tag <= model.count(dim); ++tag)
       known.push_back(attribute.where == Where::kColour ? model.face(tag).colour
                                                         : name_of(model, {dim, tag}));
-  const std::size_t number = attribute.pattern.find_first_of("0123456789");
-  if (attribute.dim < 0 && number != std::string::npos)
-    for (const char* kind : {"Vertex", "Edge", "Face", "Region"})
-      known.push_back(std::string(kind).append(attribute.pattern, number));
+  const std::size_t rest = attribute.pattern.find_first_of("0123456789:");
+  if (attribute.dim < 0 && rest != std::string::npos)
+    for (const char* kind : {"Vertex", "Edge", "Face", "Region", "box", "ball", "cylinder"})
+      known.push_back(std::string(kind).append(attribute.pattern, rest));
   std::string text = "; octet info --entities lists what it has";
   const std::string close = closest_word(attribute.pattern, known);
   if (!close.empty()) text.append(" (did you mean \"").append(close).append("\"?)");

@@ -40,6 +40,8 @@ TEST(SizeCommand, ConfigSaysTheSameInJsonAndTomlAndTheCommandLinePrevails) {
       mesh("w.msh", {"--size", "4", "--size-at", "Face1=1", "--size-at", "ball:5,5,5,2=1"});
   EXPECT_TRUE(mesh("j.msh", {"--config", out.file("a.json")}) == words);
   EXPECT_TRUE(mesh("t.msh", {"--config", out.file("a.toml")}) == words);
+  write_bytes(out.file("b.toml"), "size = 4\n[size-at]\n\"ball:5,5.0,5,2\" = 1.0\nFace1 = 1.0\n");
+  EXPECT_TRUE(mesh("b.msh", {"--config", out.file("b.toml")}) == words);
   EXPECT_FALSE(mesh("o.msh", {"--config", out.file("a.json"), "--size", "5"}) == words);
 }
 
@@ -47,6 +49,7 @@ TEST(SizeCommand, WhatMakesNoSenseIsRefusedInOneLine) {
   const TemporaryDirectory out;
   write_bytes(out.file("bad.json"), "{\"size\": ");
   write_bytes(out.file("word.json"), "{\"sise\": 2}");
+  write_bytes(out.file("none.toml"), "size = \n");
   write_bytes(out.file("bad.csv"), "1,2,3\n");
   for (const std::vector<std::string>& options : {std::vector<std::string>{"--size-at", "Face99=1"},
                                                   {"--size-at", "Face1"},
@@ -59,6 +62,7 @@ TEST(SizeCommand, WhatMakesNoSenseIsRefusedInOneLine) {
                                                   {"--config", out.file("none.json")},
                                                   {"--config", out.file("bad.json")},
                                                   {"--config", out.file("word.json")},
+                                                  {"--config", out.file("none.toml")},
                                                   {"--field", out.file("bad.csv")},
                                                   {"--field", out.file("none.csv")}}) {
     std::vector<std::string> all{"mesh", box(), "-o", out.file("a.msh")};
@@ -87,6 +91,7 @@ TEST(SizeCommand, MisspeltWordsAreToldWhatTheyMayHaveMeant) {
   EXPECT_TRUE(says(refusal(fixture, {"--config", out.file("a.toml")}), "did you mean --size?"));
   EXPECT_TRUE(says(refusal(fixture, {"--size-at", "Face:saet=1"}), "did you mean \"seat\"?"));
   EXPECT_TRUE(says(refusal(fixture, {"--size-at", "Fase3=1"}), "did you mean \"Face3\"?"));
+  EXPECT_TRUE(says(refusal(fixture, {"--size-at", "bal:0,0,0,3=1"}), "did you mean \"ball:0,0,0,3\"?"));
   EXPECT_TRUE(says(refusal(fixture, {"--size-at", "Face900=1"}), "its numbers end at "));
 }
 
