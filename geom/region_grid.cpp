@@ -8,8 +8,10 @@
 namespace octet {
 namespace {
 
-/// Cells along the longest side: a few milliseconds to build, and most of a compact part's inside is known.
-constexpr int kCells = 32;
+/// Cells in all, as cubes: a few milliseconds to build, and most of the inside of a compact part, or of a
+/// plate of a twentieth of its length, is known.
+constexpr double kCells = 1 << 17;
+constexpr int kMostCells = 512;  ///< along one side
 constexpr std::int32_t kBoundary = RegionGrid::kUnknown;
 constexpr std::int32_t kEmpty = -2;  // not yet flooded
 
@@ -19,9 +21,10 @@ RegionGrid::RegionGrid(const FacetBvh& bvh, const Box3& box,
                        const std::function<int(const Vec3&)>& region_at) {
   if (box.empty() || !(box.size().maxCoeff() > 0.0)) return;
   lo_ = box.lo;
-  width_ = box.size().maxCoeff() / kCells;
+  const Vec3 size = box.size().cwiseMax(box.size().maxCoeff() / kMostCells);
+  width_ = std::max(std::cbrt(size.prod() / kCells), size.maxCoeff() / kMostCells);
   for (int k = 0; k < 3; ++k)
-    cells_[k] = std::clamp(static_cast<int>(std::ceil(box.size()[k] / width_)), 1, kCells);
+    cells_[k] = std::clamp(static_cast<int>(std::ceil(box.size()[k] / width_)), 1, kMostCells);
   label_.assign(static_cast<std::size_t>(cells_[0]) * cells_[1] * cells_[2], kBoundary);
   mark_empty(bvh, {0, 0, 0}, cells_);
   Cell c;
