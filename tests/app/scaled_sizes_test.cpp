@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sizes that follow from numbers of elements, and the sizes that parts get unasked.
+#include "app/scaled_sizes.h"
+
+#include <gtest/gtest.h>
+
+#include <BRepFilletAPI_MakeFillet.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <cmath>
+
+#include "app/element_estimate.h"
+#include "geom/analytic.h"
+#include "geom/occt/from_shape.h"
+
+namespace octet {
+namespace {
+
+double estimate(const Model& model, const MeshOptions& options) {
+  return estimated_elements(model, plan_sizes(model, options));
+}
+
+Model rounded_box(double radius) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(40.0, 30.0, 20.0).Shape();
+  BRepFilletAPI_MakeFillet fillet(box);
+  for (TopExp_Explorer e(box, TopAbs_EDGE); e.More(); e.Next()) fillet.Add(radius, TopoDS::Edge(e.Current()));
+  return model_from_shape(fillet.Shape());
+}
+
+TEST(ScaledSizes, PartsGetThousandsOfElementsUnasked) {
+  for (const Model& model : {analytic_torus(1.2, 0.4, {{}, 1e-3}), analytic_ball(1.0, {{}, 1e-3}),
+                             analytic_box(Vec3(1.0, 1.0, 1.0)), analytic_box(Vec3(40.0, 30.0, 2.0))}) {
+    const MeshResult result = mesh_part(model);
+    EXPECT_EQ(result.report.status, MeshStatus::kComplete);
+    EXPECT_GT(result.report.tets, 2'000u);
+    EXPECT_LT(result.report.tets, 500'000u);
+  }
+}
+
+TEST(ScaledSizes, PartsOfManySmallFeaturesGetFewEnoughElements) {
+  MeshOptions many;
+  many.curvature_angle = 0.02;
+  const Model model = analytic_hollow_ball(1.0, 0.85, {{}, 1e-3});
+  MeshOptions as_first_guessed = many;
+  as_first_guessed.size = global_size(model, many);
+  EXPECT_GT(estimate(model, as_first_guessed), 450'000.0);
+  const double elements = estimate(model, with_default_size(model, many));
+  EXPECT_LT(elements, 450'000.0);
+  EXPECT_GT(elements, 200'000.0);
+}
+
+TEST(ScaledSizes, ASizeAskedForIsLeftAlone) {
+  MeshOptions options;
+  options.size = 0.3;
+  EXPECT_EQ(with_default_size(analytic_ball(1.0, {{}, 1e-3}), options).size, 0.3);
+  EXPECT_FALSE(with_default_size(analytic_ball(1.0, {{}, 1e-3}), options).suit_curvature);
+}
+
+TEST(ScaledSizes, OneElementMoreOnACircleIsNoCliff) {
+  // Each of the wishes by itself would be met by octants of twice the length up to some number, and by the
+  // next smaller ones from there on: four times as many on the fillets.
+  const Model model = rounded_box(2.0);
+  double last = 0.0;
+  for (int n = 8; n <= 20; ++n) {
+    MeshOptions options;
+    options.curvature_angle = 2.0 * M_PI / n;
+    const double count = estimate(model, with_default_size(model, options));
+    if (last > 0.0) {
+      EXPECT_LT(count / last, 1.8) << n;
+      EXPECT_GT(count / last, 0.6) << n;
+    }
+    last = count;
+  }
+}
+
+TEST(ScaledSizes, CountsFollowTheScale) {
+  const Model model = rounded_box(4.0);
+  MeshOptions options;
+  options.size = 3.0;
+  double last = estimate(model, options);
+  for (const double scale : {0.9, 0.8, 0.7, 0.6}) {
+    const double count = estimate(model, scaled_sizes(model, options, scale));
+    EXPECT_GT(count, last) << scale;
+    EXPECT_LT(count, 2.0 * last) << scale;
+    last = count;
+  }
+}
+
+}  // namespace
+}  // namespace octet
