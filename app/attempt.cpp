@@ -39,7 +39,7 @@ void cut_tree(Attempt& attempt, const Model& model) {
 
 void place_points(Attempt& attempt, const Model& model, double size) {
   attempt.seeds = seed_points(model, attempt.tree, attempt.vertices, attempt.labels, attempt.cuts, size);
-  attempt.split = split_interior(model, attempt.tree, attempt.vertices, attempt.labels, attempt.seeds);
+  attempt.split = split_interior(model, attempt.tree, attempt.vertices, attempt.labels, attempt.seeds, size);
 }
 
 void triangulate(Attempt& attempt, const Model& model) {

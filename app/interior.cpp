@@ -116,7 +116,7 @@ void resize_exactly(std::vector<Item>& items, std::size_t n) {
 }  // namespace
 
 BandAndInterior split_interior(const Model& model, const Octree& tree, const OctreeVertices& vertices,
-                               const OctreeLabels& labels, const Seeds& seeds) {
+                               const OctreeLabels& labels, const Seeds& seeds, double length) {
   BandAndInterior split;
   const std::vector<OctantId> templates =
       template_octants(model, tree, vertices, labels, seeds.octree_vertex_kept, seeds.points);
@@ -125,7 +125,7 @@ BandAndInterior split_interior(const Model& model, const Octree& tree, const Oct
   for (const OctantId o : templates) split.role[o.index()] = OctantRole::kDeep;
   part_near_from_deep(tree, vertices, split.role);
   const std::vector<std::uint8_t> in_band =
-      band_vertices(tree, vertices, templates, seeds.octree_vertex_kept);
+      band_vertices(tree, vertices, templates, seeds.octree_vertex_kept, length);
   const SeedPoints& all = seeds.points;
   const auto take = [&](std::size_t n) {
     split.band.add(all.position[n], all.on[n], all.order[n], all.spacing[n]);

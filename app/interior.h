@@ -31,7 +31,7 @@ struct BandAndInterior {
 /// around them, which give finalization room to move.
 [[nodiscard]] BandAndInterior split_interior(const Model& model, const Octree& tree,
                                              const OctreeVertices& vertices, const OctreeLabels& labels,
-                                             const Seeds& seeds);
+                                             const Seeds& seeds, double length);
 
 /// The near octants' tetrahedra over the joint numbering: appends the points that the band lacks to those of
 /// the triangulated band (`points`, `on`). `first` of the result are the vertices that near or band octants

@@ -13,18 +13,24 @@ namespace octet {
 /// finite tetrahedron behind the facet decides, whose fourth corner has no say in that plane.
 [[nodiscard]] bool in_conflict(const Complex& complex, TetId t, const Vec3& point, std::uint64_t rank);
 
-/// All tetrahedra in conflict with the point, from `seed`, which is; breadth first. Marks them in the complex
-/// for replace_cavity(). [Bowyer 1981; Watson 1981]
-void mark_cavity(Complex& complex, TetId seed, const Vec3& point, std::uint64_t rank,
-                 std::vector<TetId>& cavity);
+/// Puts all tetrahedra in conflict with the point into the inserter's cavity, from `seed`, which is; breadth
+/// first, and marks them for replace_cavity(). False when the cavity leaves the inserter's block.
+/// [Bowyer 1981; Watson 1981]
+[[nodiscard]] bool mark_cavity(Complex& complex, Inserter& inserter, TetId seed, const Vec3& point,
+                               std::uint64_t rank);
 
 /// The same tetrahedra in the same order, without marks; for queries.
 void find_cavity(const Complex& complex, TetId seed, const Vec3& point, std::uint64_t rank,
                  std::vector<TetId>& cavity);
 
+/// How many tetrahedra may replace those of a cavity: hung together by n - 1 faces they have that many more.
+[[nodiscard]] inline std::size_t most_replacements(const std::vector<TetId>& cavity) {
+  return 2 * cavity.size() + 2;
+}
+
 /// Replaces the marked cavity by the tetrahedra that join its boundary to v. Requires: the cavity is
-/// star-shaped around v (a ranked conflict set always is). `created` gets the new ones, ghosts included.
-void replace_cavity(Complex& complex, VertexId v, const std::vector<TetId>& cavity,
-                    std::vector<TetId>& created);
+/// star-shaped around v (a ranked conflict set always is); slots for most_replacements(). The inserter's
+/// `created` gets the new ones, ghosts included.
+void replace_cavity(Complex& complex, Inserter& inserter, VertexId v);
 
 }  // namespace octet

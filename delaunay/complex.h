@@ -17,9 +17,6 @@ struct Complex {
   IdVector<VertexId, std::uint64_t> rank;
   IdVector<VertexId, TetId> vertex_tet;
   IdVector<TetId, std::uint32_t> mark;
-  std::vector<TetId> free_slots;
-  std::uint32_t epoch = 0;
-  TetId last;  ///< the tetrahedron made last: where walks start by default
 
   [[nodiscard]] const Vec3& point(VertexId v) const { return mesh.points[v]; }
   [[nodiscard]] bool ghost(TetId t) const { return mesh.tets[t][3] == kGhostVertex; }
@@ -30,30 +27,17 @@ struct Complex {
     return rank.push_back(order);
   }
 
-  /// A slot for a tetrahedron without neighbours.
-  TetId add_tet(const std::array<VertexId, 4>& vertices) {
-    if (free_slots.empty()) {
-      mesh.tets.push_back(vertices);
-      mark.push_back(0);
-      return mesh.neighbours.push_back({});
-    }
-    const TetId t = free_slots.back();
-    free_slots.pop_back();
-    mesh.tets[t] = vertices;
-    mesh.neighbours[t] = {};
-    return t;
+  void reserve_slots(std::size_t size) {
+    mesh.tets.reserve(size);
+    mesh.neighbours.reserve(size);
+    mark.reserve(size);
   }
 
-  void remove_tet(TetId t) {
-    mesh.tets[t][0] = VertexId();
-    mark[t] = 0;
-    free_slots.push_back(t);
-  }
-
-  /// Index of `n` among the neighbours of t; requires that it is one.
-  [[nodiscard]] int face_towards(TetId t, TetId n) const {
-    const auto& around = mesh.neighbours[t];
-    return around[0] == n ? 0 : around[1] == n ? 1 : around[2] == n ? 2 : 3;
+  /// Appends dead slots up to that number.
+  void add_slots(std::size_t size) {
+    mesh.tets.resize(size);
+    mesh.neighbours.resize(size);
+    mark.resize(size);
   }
 
   /// Index of v among the vertices of t; requires that it is one.
@@ -61,6 +45,37 @@ struct Complex {
     const auto& vertices = mesh.tets[t];
     return vertices[0] == v ? 0 : vertices[1] == v ? 1 : vertices[2] == v ? 2 : 3;
   }
+};
+
+/// The vertices of one block. A tetrahedron is in the block when all its vertices are; ghosts are in none.
+struct Block {
+  const std::vector<std::uint32_t>* block_of = nullptr;  ///< per vertex; null: one block of everything
+  std::uint32_t number = 0;
+
+  [[nodiscard]] bool is_everything() const { return block_of == nullptr; }
+  [[nodiscard]] bool holds(const std::array<VertexId, 4>& v) const {
+    if (is_everything()) return true;
+    const auto mine = [&](VertexId w) { return w != kGhostVertex && (*block_of)[w.index()] == number; };
+    return mine(v[0]) && mine(v[1]) && mine(v[2]) && mine(v[3]);
+  }
+};
+
+/// One face of a cavity's boundary: face `face` of the cavity's tetrahedron `inner`.
+struct CavityFace {
+  TetId inner;
+  int face = 0;
+};
+
+/// What one thread of insertion has to itself. Several work on one complex at once when their blocks have no
+/// vertex in common: each reads and writes tetrahedra in its block, reads those that share a face with them,
+/// and of these writes the one neighbour that is its own.
+struct Inserter {
+  Block block;
+  std::vector<TetId> free_slots;  ///< dead slots of its own; the last is taken first
+  std::uint32_t epoch = 0;        ///< marks are twice that, plus one in the cavity
+  TetId last;                     ///< the tetrahedron made last: where walks start by default
+  std::vector<TetId> cavity, created;
+  std::vector<CavityFace> boundary;
 };
 
 }  // namespace octet

@@ -7,10 +7,9 @@
 
 namespace octet {
 
-TetId walk_to(const Complex& complex, const Vec3& point, TetId start) {
+TetId walk_to(const Complex& complex, const Block& block, const Vec3& point, TetId start) {
   const TetMesh& mesh = complex.mesh;
   TetId t = start;
-  if (!t.valid() || t.index() >= mesh.tets.size() || !mesh.alive(t)) t = complex.last;
   OCTET_CHECK(t.valid());
   if (complex.ghost(t)) t = mesh.neighbours[t][3];
 
@@ -28,7 +27,9 @@ TetId walk_to(const Complex& complex, const Vec3& point, TetId start) {
           orient3d(complex.point(v[face[0]]), complex.point(v[face[1]]), complex.point(v[face[2]]), point);
       if (side > 0) next = n;
     }
-    if (!next.valid() || complex.ghost(next)) return next.valid() ? next : t;
+    if (!next.valid()) return t;
+    if (!block.holds(mesh.tets[next])) return {};
+    if (complex.ghost(next)) return next;
     from = t;
     t = next;
   }

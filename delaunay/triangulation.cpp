@@ -9,6 +9,7 @@
 #include "base/predicates.h"
 #include "delaunay/cavity.h"
 #include "delaunay/complex.h"
+#include "delaunay/insertion.h"
 #include "delaunay/locate.h"
 #include "delaunay/spatial_order.h"
 #include "delaunay/visit_set.h"
@@ -45,13 +46,15 @@ std::array<std::uint32_t, 4> first_four(std::span<const Vec3> points, std::span<
   throw InputError("the points to be triangulated all lie in one plane");
 }
 
-// A finite tetrahedron and the four ghosts on its faces.
+// A finite tetrahedron and the four ghosts on its faces, in the first five slots.
 void make_first_tets(Complex& complex, const std::array<VertexId, 4>& v) {
   TetMesh& mesh = complex.mesh;
-  const TetId first = complex.add_tet(v);
-  std::array<TetId, 4> ghosts;
+  complex.add_slots(5);
+  const TetId first(0);
+  const std::array<TetId, 4> ghosts{TetId(1), TetId(2), TetId(3), TetId(4)};
+  mesh.tets[first] = v;
   for (int f = 0; f < 4; ++f) {
-    ghosts[f] = complex.add_tet({v[kTetFace[f][0]], v[kTetFace[f][1]], v[kTetFace[f][2]], kGhostVertex});
+    mesh.tets[ghosts[f]] = {v[kTetFace[f][0]], v[kTetFace[f][1]], v[kTetFace[f][2]], kGhostVertex};
     mesh.neighbours[first][f] = ghosts[f];
     complex.vertex_tet[v[f]] = first;
   }
@@ -59,7 +62,6 @@ void make_first_tets(Complex& complex, const std::array<VertexId, 4>& v) {
     for (int i = 0; i < 3; ++i) mesh.neighbours[ghosts[f]][i] = ghosts[kTetFace[f][i]];
     mesh.neighbours[ghosts[f]][3] = first;
   }
-  complex.last = first;
 }
 
 // The vertex of t at exactly this place, or an invalid one.
@@ -70,21 +72,34 @@ VertexId vertex_at(const Complex& complex, TetId t, const Vec3& point) {
   return {};
 }
 
+// Inserts the points of one round. Large rounds go in blocks, then in blocks with other bounds what reached
+// beyond these, and at last what is left by then, some per cent.
+void insert_round(Complex& complex, Inserter& inserter, const SpatialOrder& order, std::size_t round,
+                  std::vector<std::uint8_t>& pending) {
+  constexpr std::array<double, 3> kShifts{0.0, 0.28125, 0.6};
+  const std::span<const std::uint32_t> so_far = std::span(order.points).first(order.round_end[round]);
+  const std::size_t begin = round == 0 ? 0 : order.round_end[round - 1];
+  if (so_far.size() < 2 * kBlockVertices) {
+    insert_pending(complex, inserter, so_far.subspan(begin), pending);
+    return;
+  }
+  std::vector<std::uint32_t> curve;
+  for (const double shift : kShifts) {
+    curve = along_curve(complex.mesh.points.values(), so_far, shift);
+    insert_in_blocks(complex, inserter, curve, pending);
+  }
+  insert_pending(complex, inserter, curve, pending);
+}
+
 }  // namespace
 
 struct Triangulation::Data : Complex {
-  std::vector<TetId> cavity;   // reused between insertions
-  std::vector<TetId> created;  // for insert_all
+  Inserter inserter;
 
-  // Joins the vertex to the triangulation unless another is at its place; returns the one that is there.
-  VertexId join(VertexId v, TetId near, std::vector<TetId>& made) {
-    const Vec3 p = point(v);
-    const TetId seed = walk_to(*this, p, near);
-    const VertexId present = vertex_at(*this, seed, p);
-    if (present.valid()) return present;
-    mark_cavity(*this, seed, p, rank[v], cavity);
-    replace_cavity(*this, v, cavity, made);
-    return v;
+  // `near` where that is alive, else the tetrahedron made last.
+  [[nodiscard]] TetId start(TetId near) const {
+    const bool usable = near.valid() && near.index() < mesh.tets.size() && mesh.alive(near);
+    return usable ? near : inserter.last;
   }
 };
 
@@ -97,48 +112,48 @@ void Triangulation::insert_all(std::span<const Vec3> points, std::span<const std
   OCTET_CHECK(points.size() == ranks.size());
   Data& d = *data_;
   const std::size_t base = d.mesh.points.size();
-  const std::vector<std::uint32_t> order = spatial_order(points);
-  std::array<std::uint32_t, 4> first{};
-  const bool begin = !d.last.valid();
-  if (begin) {
-    OCTET_CHECK(base == 0);
-    first = first_four(points, order);
-    d.mesh.tets.reserve(7 * points.size());
-    d.mesh.neighbours.reserve(7 * points.size());
-    d.mark.reserve(7 * points.size());
-  }
+  SpatialOrder order = spatial_order(points, ranks);
   d.mesh.points.reserve(base + points.size());
   for (std::size_t i = 0; i < points.size(); ++i) d.add_vertex(points[i], ranks[i]);
-  if (begin)
-    make_first_tets(d, {VertexId(first[0]), VertexId(first[1]), VertexId(first[2]), VertexId(first[3])});
-  for (const std::uint32_t i : order) {
-    if (begin && (i == first[0] || i == first[1] || i == first[2] || i == first[3])) continue;
-    d.join(VertexId(base + i), d.last, d.created);
+  std::vector<std::uint8_t> pending(base + points.size(), 1);
+  if (base > 0) {
+    for (std::uint32_t& i : order.points) i += static_cast<std::uint32_t>(base);
+    insert_pending(d, d.inserter, order.points, pending);
+    return;
   }
+  const std::array<std::uint32_t, 4> first = first_four(points, order.points);
+  for (const std::uint32_t i : first) pending[i] = 0;
+  d.reserve_slots(7 * points.size());
+  make_first_tets(d, {VertexId(first[0]), VertexId(first[1]), VertexId(first[2]), VertexId(first[3])});
+  d.inserter.last = TetId(0);
+  for (std::size_t r = 0; r < order.round_end.size(); ++r) insert_round(d, d.inserter, order, r, pending);
 }
 
 VertexId Triangulation::insert(const Vec3& point, std::uint64_t rank, TetId near,
                                std::vector<TetId>& created) {
   Data& d = *data_;
   created.clear();
-  const TetId seed = walk_to(d, point, near);
+  const TetId seed = locate(point, near);
   const VertexId present = vertex_at(d, seed, point);
   if (present.valid()) return present;
   const VertexId v = d.add_vertex(point, rank);
-  mark_cavity(d, seed, point, rank, d.cavity);
-  replace_cavity(d, v, d.cavity, created);
+  d.inserter.last = seed;
+  OCTET_CHECK(join_vertex(d, d.inserter, v) == Insertion::kDone);
+  created = d.inserter.created;
   return v;
 }
 
 void Triangulation::conflicts(const Vec3& point, std::uint64_t rank, TetId near,
                               std::vector<TetId>& tets) const {
   tets.clear();
-  const TetId seed = walk_to(*data_, point, near);
+  const TetId seed = locate(point, near);
   if (vertex_at(*data_, seed, point).valid()) return;
   find_cavity(*data_, seed, point, rank, tets);
 }
 
-TetId Triangulation::locate(const Vec3& point, TetId near) const { return walk_to(*data_, point, near); }
+TetId Triangulation::locate(const Vec3& point, TetId near) const {
+  return walk_to(*data_, Block(), point, data_->start(near));
+}
 
 const TetMesh& Triangulation::mesh() const { return data_->mesh; }
 std::uint64_t Triangulation::rank(VertexId v) const { return data_->rank[v]; }

@@ -80,7 +80,8 @@ std::vector<OctantId> template_octants(const Model& model, const Octree& tree, c
 
 std::vector<std::uint8_t> band_vertices(const Octree& tree, const OctreeVertices& vertices,
                                         std::span<const OctantId> templates,
-                                        std::span<const std::uint8_t> kept) {
+                                        std::span<const std::uint8_t> kept, double length) {
+  const Lattice::value_type spacing = pillar_spacing(tree, length);
   std::vector<std::uint8_t> band(vertices.size(), 0);
   auto next = templates.begin();
   for (std::size_t i = 0; i < tree.size(); ++i) {
@@ -90,7 +91,8 @@ std::vector<std::uint8_t> band_vertices(const Octree& tree, const OctreeVertices
       flag_vertices(tree, vertices, OctantId(i), band);
     }
   }
-  for (std::size_t v = 0; v < band.size(); ++v) band[v] = band[v] != 0 && kept[v] != 0 ? 1 : 0;
+  for (std::size_t v = 0; v < band.size(); ++v)
+    band[v] = kept[v] != 0 && (band[v] != 0 || is_pillar(vertices.at[v], spacing)) ? 1 : 0;
   return band;
 }
 

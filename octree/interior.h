@@ -2,6 +2,8 @@
 // Interior octants that are meshed by templates, and the octree vertices that the triangulation needs.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -23,12 +25,24 @@ namespace octet {
                                                      std::span<const std::uint8_t> kept,
                                                      const SeedPoints& points);
 
-/// Per octree vertex: whether it is kept and lies on an octant that is no template octant. These and the free
-/// points are all that the triangulation needs: each Delaunay tetrahedron of all points lies within one
-/// template octant, or outside all of them and then has only such vertices.
+/// The lattice on which octree vertices are points wherever they lie: eight octants of this length wide.
+/// Where the triangulation has no other points, among the template octants and far outside, these few bound
+/// its tetrahedra, so that parts of it far from each other can be made at once.
+[[nodiscard]] inline Lattice::value_type pillar_spacing(const Octree& tree, double length) {
+  const int level =
+      std::clamp(static_cast<int>(std::lround(std::log2(tree.root_size() / length))) - 3, 0, kLatticeLevels);
+  return Lattice::value_type{1} << (kLatticeLevels - level);
+}
+[[nodiscard]] inline bool is_pillar(const Lattice& at, Lattice::value_type spacing) {
+  return ((at[0] | at[1] | at[2]) & (spacing - 1)) == 0;
+}
+
+/// Per octree vertex: whether it is kept and lies on an octant that is no template octant, or is a pillar.
+/// These and the free points are all that the triangulation needs: each Delaunay tetrahedron of all points
+/// lies within one template octant, or outside all of them and then has only such vertices.
 [[nodiscard]] std::vector<std::uint8_t> band_vertices(const Octree& tree, const OctreeVertices& vertices,
                                                       std::span<const OctantId> templates,
-                                                      std::span<const std::uint8_t> kept);
+                                                      std::span<const std::uint8_t> kept, double length);
 
 /// Largest overhang of an octant's circumspheres over its faces, in lengths of the octant: (sqrt 3 - 1) / 2
 /// where nothing hangs; with hanging vertices, over all sets that balance allows, 1/2 (enumerated by the

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "octree/interior.h"
 #include "octree/seed_state.h"
 
 namespace octet {
@@ -14,7 +15,7 @@ Seeds seed_points(const Model& model, const Octree& tree, const OctreeVertices& 
   seed_model_vertices(state);
   seed_model_edges(state);
   seed_model_faces(state, cuts);
-  seed_octree_vertices(state, vertices, labels);
+  seed_octree_vertices(state, vertices, labels, size);
   return std::move(state.seeds);
 }
 
@@ -70,14 +71,11 @@ std::vector<std::uint8_t> around_gaps_of_first_ring(const Octree& tree, const Oc
   return around;
 }
 
-bool is_root_corner(const Lattice& at) {
-  constexpr std::uint32_t kFar = std::uint32_t{1} << kLatticeLevels;
-  return std::all_of(at.begin(), at.end(), [](std::uint32_t x) { return x == 0 || x == kFar; });
-}
-
 }  // namespace
 
-void seed_octree_vertices(SeedState& state, const OctreeVertices& vertices, const OctreeLabels& labels) {
+void seed_octree_vertices(SeedState& state, const OctreeVertices& vertices, const OctreeLabels& labels,
+                          double length) {
+  const Lattice::value_type spacing = pillar_spacing(state.tree, length);
   Seeds& seeds = state.seeds;
   const std::vector<std::uint8_t> ring = rings(state.tree, vertices, labels);
   // Octree vertices are on a lattice of their own spacing: only points placed before them can be too close.
@@ -95,7 +93,8 @@ void seed_octree_vertices(SeedState& state, const OctreeVertices& vertices, cons
       around_gaps_of_first_ring(state.tree, vertices, labels, ring, kept);
   for (std::uint32_t v = 0; v < vertices.size(); ++v) {
     if (ring[v] == 0) continue;
-    const bool wanted = labels.vertex_region[v] != 0 || stands_in[v] != 0 || is_root_corner(vertices.at[v]);
+    const bool wanted =
+        labels.vertex_region[v] != 0 || stands_in[v] != 0 || is_pillar(vertices.at[v], spacing);
     kept[v] = wanted && (ring[v] == 2 || is_clear(v)) ? 1 : 0;
   }
   seeds.surface_points = seeds.points.size();

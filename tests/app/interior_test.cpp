@@ -35,7 +35,7 @@ struct SplitBall {
     const std::vector<OctantEdgeCut> cuts = cut_octant_edges(model, tree, vertices, types);
     labels = label_vertices(model, tree, vertices, types, cuts);
     const Seeds seeds = seed_points(model, tree, vertices, labels, cuts, size);
-    split = split_interior(model, tree, vertices, labels, seeds);
+    split = split_interior(model, tree, vertices, labels, seeds, size);
   }
   Model model = analytic_ball(0.5);
   Octree tree{Vec3::Zero(), 1.0, {Octant{}}};

@@ -153,12 +153,13 @@ TEST(Interior, AFreePointInsideKeepsTheOctantsAroundItOut) {
   }
 }
 
-TEST(Interior, BandVerticesAreThoseOfOctantsThatAreNoTemplates) {
+TEST(Interior, BandVerticesArePillarsAndThoseOfOctantsThatAreNoTemplates) {
   const Model model = analytic_ball(0.5);
   const Labelled l = label(model, 0.06, kSamples);
   const auto kept = keep_inner(model, l, 0.6);
   const auto templates = template_octants(model, l.tree, l.vertices, l.labels, kept, {});
-  const auto band = band_vertices(l.tree, l.vertices, templates, kept);
+  const double length = 0.06;
+  const auto band = band_vertices(l.tree, l.vertices, templates, kept, length);
   std::set<std::uint32_t> expected;
   std::size_t next = 0;
   for (std::size_t i = 0; i < l.tree.size(); ++i) {
@@ -174,6 +175,10 @@ TEST(Interior, BandVerticesAreThoseOfOctantsThatAreNoTemplates) {
     }
   }
   ASSERT_EQ(next, templates.size());
+  const Lattice::value_type spacing = pillar_spacing(l.tree, length);
+  EXPECT_NEAR(l.tree.length(0) * spacing / (1u << kLatticeLevels), 8 * length, 1e-3 * length);
+  for (std::uint32_t v = 0; v < kept.size(); ++v)
+    if (kept[v] != 0 && is_pillar(l.vertices.at[v], spacing)) expected.insert(v);
   for (std::uint32_t v = 0; v < band.size(); ++v) EXPECT_EQ(band[v] != 0, expected.contains(v));
   EXPECT_LT(expected.size(), static_cast<std::size_t>(std::ranges::count(kept, 1)));
 }

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Insertion of many points: one after the other, or in blocks of space side by side.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "delaunay/complex.h"
+
+namespace octet {
+
+enum class Insertion : std::uint8_t {
+  kDone,     ///< the vertex is joined
+  kPresent,  ///< another vertex is at its place
+  kLeft,     ///< not without leaving the inserter's block or its slots
+};
+/// Joins the vertex to the complex, walking to it from the inserter's last tetrahedron.
+[[nodiscard]] Insertion join_vertex(Complex& complex, Inserter& inserter, VertexId v);
+
+/// Inserts those of the vertices that are pending, in their order, and marks them as no longer pending. The
+/// others, if they are of the complex, are where walks start. What cannot be inserted stays pending.
+void insert_pending(Complex& complex, Inserter& inserter, std::span<const std::uint32_t> vertices,
+                    std::vector<std::uint8_t>& pending);
+
+/// The same, in blocks of about kBlockVertices neighbouring vertices in their order, in parallel. `all` is an
+/// inserter for everything; blocks take their slots from it and give them back. Blocks depend on the vertices
+/// alone, so the same tetrahedra get the same numbers from any number of threads. Requires: no other vertex
+/// is of the complex.
+///
+/// A block inserts what changes only tetrahedra whose vertices are all in the block; what reaches beyond
+/// stays pending. [Marot, Pellerin & Remacle 2019, 3] give each thread a block likewise, and move the blocks'
+/// bounds for what is left.
+void insert_in_blocks(Complex& complex, Inserter& all, std::span<const std::uint32_t> vertices,
+                      std::vector<std::uint8_t>& pending);
+
+/// The vertices a block has, about.
+inline constexpr std::size_t kBlockVertices = 40000;
+
+}  // namespace octet
