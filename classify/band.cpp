@@ -94,6 +94,7 @@ const std::vector<int>& Band::faces_of(ModelRef on) const {
 }
 
 void Band::update(const TetMesh& mesh, std::span<const ModelRef> on, std::span<const TetId> created) {
+  facets_are_current_ = false;
   region_.resize(mesh.tets.size(), kUnknown);
   facet_on_.resize(mesh.tets.size(), {kUnknown, kUnknown, kUnknown, kUnknown});
   std::vector<std::uint8_t> is_flat(created.size(), 0);
@@ -150,6 +151,7 @@ bool Band::share_a_face(ModelRef a, ModelRef b) const {
 }
 
 void Band::forget_facets(const TetMesh& mesh, TetId t) {
+  facets_are_current_ = false;
   facet_on_[t] = {kUnknown, kUnknown, kUnknown, kUnknown};
   for (const TetId n : mesh.neighbours[t])
     for (int g = 0; g < 4; ++g)
@@ -237,6 +239,8 @@ void Band::label_flat(const TetMesh& mesh, const std::vector<TetId>& flat) {
 }
 
 const std::vector<BoundaryFacet>& Band::facets(const TetMesh& mesh, std::span<const ModelRef> on) {
+  if (facets_are_current_) return facets_;
+  facets_are_current_ = true;
   facets_.clear();
   for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
     const TetId t(i);

@@ -106,6 +106,7 @@ class Band {
   IdVector<TetId, std::int32_t> region_;
   IdVector<TetId, std::array<std::int32_t, 4>> facet_on_;  ///< -1 not yet asked
   std::vector<BoundaryFacet> facets_;
+  bool facets_are_current_ = false;
   std::vector<std::vector<int>> vertex_faces_;  ///< per model vertex tag: faces whose closure holds it
   std::vector<std::vector<int>> face_itself_;   ///< per face tag: {tag}
 };

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "classify/dual_crossings.h"
 #include "mesh/circumcentre.h"
@@ -17,20 +18,47 @@ namespace {
 struct EdgeUseOfFacet {
   std::uint32_t a, b;  ///< a < b
   std::uint32_t facet;
-  bool operator<(const EdgeUseOfFacet& o) const {
-    return a != o.a ? a < o.a : (b != o.b ? b < o.b : facet < o.facet);
-  }
 };
 
-std::vector<EdgeUseOfFacet> edge_uses(const std::vector<BoundaryFacet>& facets) {
+/// Facets by one of their vertices each: those of vertex v are [first[v], first[v + 1]), ascending.
+/// `vertex_of(facet, i)` is asked for i = 0, 1, 2.
+struct FacetsByVertex {
+  template <class VertexOf>
+  FacetsByVertex(std::size_t vertices, std::size_t facets, const VertexOf& vertex_of)
+      : first(vertices + 1, 0), facet(3 * facets) {
+    for (std::uint32_t n = 0; n < facets; ++n)
+      for (int i = 0; i < 3; ++i) ++first[vertex_of(n, i) + 1];
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
+    for (std::uint32_t n = 0; n < facets; ++n)
+      for (int i = 0; i < 3; ++i) facet[next[vertex_of(n, i)]++] = n;
+  }
+  std::vector<std::uint32_t> first, facet;
+};
+
+/// Sorted by a, b, facet.
+std::vector<EdgeUseOfFacet> edge_uses(std::size_t vertices, const std::vector<BoundaryFacet>& facets) {
+  const auto ends = [&](std::uint32_t n, int i) {
+    return std::minmax({facets[n].v[i].index(), facets[n].v[(i + 1) % 3].index()});
+  };
+  const FacetsByVertex by_lower(vertices, facets.size(),
+                                [&](std::uint32_t n, int i) { return ends(n, i).first; });
   std::vector<EdgeUseOfFacet> uses;
   uses.reserve(3 * facets.size());
-  for (std::uint32_t n = 0; n < facets.size(); ++n)
-    for (int i = 0; i < 3; ++i) {
-      const std::uint32_t a = facets[n].v[i].index(), b = facets[n].v[(i + 1) % 3].index();
-      uses.push_back({std::min(a, b), std::max(a, b), n});
+  for (std::uint32_t a = 0; a < vertices; ++a) {
+    const auto begin = static_cast<std::ptrdiff_t>(uses.size());
+    std::uint32_t before = UINT32_MAX;
+    for (std::uint32_t k = by_lower.first[a]; k < by_lower.first[a + 1]; ++k) {
+      const std::uint32_t n = by_lower.facet[k];
+      if (n == before) continue;  // both of its edges at the vertex are taken
+      before = n;
+      for (int i = 0; i < 3; ++i)
+        if (const auto [lower, upper] = ends(n, i); lower == a) uses.push_back({a, upper, n});
     }
-  std::sort(uses.begin(), uses.end());
+    std::sort(uses.begin() + begin, uses.end(), [](const EdgeUseOfFacet& x, const EdgeUseOfFacet& y) {
+      return x.b != y.b ? x.b < y.b : x.facet < y.facet;
+    });
+  }
   return uses;
 }
 
@@ -51,6 +79,11 @@ class GapFinder {
   }
 
  private:
+  /// Number of the piece that joins two vertices, or UINT32_MAX.
+  [[nodiscard]] std::uint32_t piece_at(VertexId a, VertexId b) const {
+    return on_[a.index()].dim > 1 || on_[b.index()].dim > 1 ? UINT32_MAX : chains_.find(a, b);
+  }
+
   void missing_pieces() {
     std::vector<std::uint8_t> present(chains_.pieces().size(), 0);
     for (std::size_t i = 0; i < mesh_.tets.size(); ++i) {
@@ -58,9 +91,7 @@ class GapFinder {
       if (!mesh_.alive(t) || mesh_.ghost(t)) continue;
       const auto& v = mesh_.tets[t];
       for (const auto& e : kTetEdge) {
-        if (on_[v[e[0]].index()].dim > 1 || on_[v[e[1]].index()].dim > 1) continue;
-        const std::uint32_t n = chains_.find(v[e[0]], v[e[1]]);
-        if (n != UINT32_MAX) present[n] = 1;
+        if (const std::uint32_t n = piece_at(v[e[0]], v[e[1]]); n != UINT32_MAX) present[n] = 1;
       }
     }
     for (std::uint32_t n = 0; n < present.size(); ++n)
@@ -103,7 +134,7 @@ class GapFinder {
   }
 
   void edges() {
-    const std::vector<EdgeUseOfFacet> uses = edge_uses(*facets_);
+    const std::vector<EdgeUseOfFacet> uses = edge_uses(on_.size(), *facets_);
     std::vector<std::uint8_t> seen(chains_.pieces().size(), 0);
     std::vector<int> faces;
     for (std::size_t i = 0, j = 0; i < uses.size(); i = j) {
@@ -112,7 +143,7 @@ class GapFinder {
         faces.push_back((*facets_)[uses[j].facet].face);
       std::sort(faces.begin(), faces.end());
       if (faces[0] == 0) {  // reported as kNoFace
-        const std::uint32_t n = chains_.find(VertexId(uses[i].a), VertexId(uses[i].b));
+        const std::uint32_t n = piece_at(VertexId(uses[i].a), VertexId(uses[i].b));
         if (n != UINT32_MAX) seen[n] = 1;
         continue;
       }
@@ -124,7 +155,7 @@ class GapFinder {
 
   void edge_group(const std::vector<EdgeUseOfFacet>& uses, std::size_t i, std::size_t j,
                   const std::vector<int>& faces, std::vector<std::uint8_t>& seen) {
-    const std::uint32_t piece = chains_.find(VertexId(uses[i].a), VertexId(uses[i].b));
+    const std::uint32_t piece = piece_at(VertexId(uses[i].a), VertexId(uses[i].b));
     if (piece != UINT32_MAX) {
       seen[piece] = 1;
       if (faces != expected_faces(chains_[piece].edge)) add_piece(GapKind::kEdgeFan, piece);
@@ -139,22 +170,14 @@ class GapFinder {
   /// between pieces elsewhere; closed fans are right only where a face holds the vertex without an edge
   /// (apex, pole).
   void vertices() {
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> corners;  // vertex, facet
-    corners.reserve(3 * facets_->size());
-    for (std::uint32_t n = 0; n < facets_->size(); ++n)
-      for (const VertexId v : (*facets_)[n].v) corners.emplace_back(v.index(), n);
-    std::sort(corners.begin(), corners.end());
-    std::vector<std::uint8_t> bare(on_.size(), 1);
-    std::vector<std::uint32_t> around;
-    for (std::size_t i = 0, j = 0; i < corners.size(); i = j) {
-      around.clear();
-      for (j = i; j < corners.size() && corners[j].first == corners[i].first; ++j)
-        around.push_back(corners[j].second);
-      bare[corners[i].first] = 0;
-      vertex_fans(VertexId(corners[i].first), around);
-    }
+    const FacetsByVertex at(on_.size(), facets_->size(),
+                            [&](std::uint32_t n, int i) { return (*facets_)[n].v[i].index(); });
+    const auto is_bare = [&](std::uint32_t v) { return at.first[v] == at.first[v + 1]; };
     for (std::uint32_t v = 0; v < on_.size(); ++v)
-      if (bare[v] && on_[v].dim == 2 && bounds_a_region(on_[v].tag)) {
+      if (!is_bare(v))
+        vertex_fans(VertexId(v), std::span(at.facet).subspan(at.first[v], at.first[v + 1] - at.first[v]));
+    for (std::uint32_t v = 0; v < on_.size(); ++v)
+      if (is_bare(v) && on_[v].dim == 2 && bounds_a_region(on_[v].tag)) {
         Gap gap;
         gap.kind = GapKind::kBareVertex;
         gap.entity = on_[v];
@@ -168,7 +191,7 @@ class GapFinder {
     return model_.face(face).region[0] != model_.face(face).region[1];
   }
 
-  void vertex_fans(VertexId v, const std::vector<std::uint32_t>& around) {
+  void vertex_fans(VertexId v, std::span<const std::uint32_t> around) {
     const ModelRef on = on_[v.index()];
     if (on.dim > 2) {  // an octree vertex on the boundary: its facets are reported as kNoFace
       return;
@@ -210,20 +233,21 @@ class GapFinder {
 
   /// Number of closed fans of facets around v (joined over non-piece edges); -1 when an edge joins other than
   /// two.
-  int count_loops(VertexId v, const std::vector<std::uint32_t>& around) {
+  int count_loops(VertexId v, std::span<const std::uint32_t> around) {
     // spokes: the far ends of the edges at v that are no pieces, with the facets that use them.
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> spokes;
-    std::vector<int> open(around.size(), 0);
+    auto& [spokes, open, parent, has_end] = fan_;
+    spokes.clear();
+    open.assign(around.size(), 0);
     for (std::uint32_t k = 0; k < around.size(); ++k)
       for (const VertexId w : (*facets_)[around[k]].v) {
         if (w == v) continue;
-        if (chains_.find(v, w) != UINT32_MAX)
+        if (piece_at(v, w) != UINT32_MAX)
           open[k] = 1;
         else
           spokes.emplace_back(w.index(), k);
       }
     std::sort(spokes.begin(), spokes.end());
-    std::vector<std::uint32_t> parent(around.size());
+    parent.resize(around.size());
     for (std::uint32_t k = 0; k < parent.size(); ++k) parent[k] = k;
     const auto root = [&](std::uint32_t k) {
       while (parent[k] != k) k = parent[k] = parent[parent[k]];
@@ -234,7 +258,7 @@ class GapFinder {
       if (i + 2 < spokes.size() && spokes[i + 2].first == spokes[i].first) return -1;
       parent[root(spokes[i].second)] = root(spokes[i + 1].second);
     }
-    std::vector<int> has_end(around.size(), 0);
+    has_end.assign(around.size(), 0);
     for (std::uint32_t k = 0; k < around.size(); ++k) has_end[root(k)] |= open[k];
     int loops = 0;
     components_ = 0;
@@ -260,6 +284,12 @@ class GapFinder {
   const std::vector<BoundaryFacet>* facets_ = nullptr;
   std::vector<Gap> gaps_;
   int components_ = 0;
+  struct {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> spokes;
+    std::vector<int> open;
+    std::vector<std::uint32_t> parent;
+    std::vector<int> has_end;
+  } fan_;  ///< what count_loops() works in
 };
 
 }  // namespace
