@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "base/blocks.h"
+#include "base/bucket_sort.h"
 
 namespace octet {
 namespace {
@@ -85,10 +86,21 @@ std::vector<TriangleSide> sorted_sides(const Mesh& mesh) {
       const Mesh::Index a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
       sides.push_back({{std::min(a, b), std::max(a, b)}, mesh.triangle_on[t], a < b, t});
     }
-  std::sort(sides.begin(), sides.end(), [](const TriangleSide& a, const TriangleSide& b) {
-    return std::tie(a.v, a.face, a.triangle) < std::tie(b.v, b.face, b.triangle);
-  });
+  bucket_sort(
+      sides, mesh.points.size(), [](const TriangleSide& side) { return side.v[0]; },
+      [](const TriangleSide& a, const TriangleSide& b) {
+        return std::tie(a.v, a.face, a.triangle) < std::tie(b.v, b.face, b.triangle);
+      });
   return sides;
+}
+
+/// The triangles are exact, but what stands for places within the tolerance is found as well.
+FacetBvh surface_tree(const Mesh& mesh, const Model& model) {
+  Facets surface;
+  surface.nodes = mesh.points;
+  for (const auto& t : mesh.triangles) surface.triangles.push_back({t[0], t[1], t[2]});
+  surface.face = mesh.triangle_on;
+  return {surface, std::vector<double>(surface.triangles.size(), model.tolerance()), model.count(2)};
 }
 
 std::vector<EdgePieceRef> sorted_pieces(const Mesh& mesh) {
@@ -136,6 +148,7 @@ ClaimInput::ClaimInput(const Mesh& m, const Model& part)
       triangles_on(by_tag(m.triangle_on, part.count(2))),
       sides(sorted_sides(m)),
       pieces(sorted_pieces(m)),
+      surface(surface_tree(m, part)),
       node_foot(m, [this](Mesh::Index v) { return foot_of_node(*this, v); }),
       triangle_foot(m.triangles.size()) {
   tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, m.triangles.size(), kFeet), [&](const auto& range) {

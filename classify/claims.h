@@ -10,6 +10,7 @@
 
 #include "classify/acceptance.h"
 #include "classify/tet_sweep.h"
+#include "geom/facet_bvh.h"
 #include "mesh/face_uses.h"
 
 namespace octet {
@@ -72,6 +73,7 @@ struct ClaimInput {
   std::vector<std::vector<std::uint32_t>> triangles_on;  ///< per model face tag: mesh triangles
   std::vector<TriangleSide> sides;                       ///< sorted by (v, face)
   std::vector<EdgePieceRef> pieces;                      ///< sorted by v
+  FacetBvh surface;                                      ///< the mesh's triangles, grown by the tolerance
   NodeFeet node_foot;                                    ///< per mesh vertex
   std::vector<TriangleFoot> triangle_foot;               ///< per mesh triangle
 

@@ -8,7 +8,6 @@
 
 #include "base/blocks.h"
 #include "classify/claims.h"
-#include "geom/facet_bvh.h"
 
 namespace octet {
 namespace {
@@ -34,13 +33,7 @@ double mean_side(const ClaimInput& in, const std::vector<std::uint32_t>& triangl
 
 class SurfaceSampler {
  public:
-  explicit SurfaceSampler(const ClaimInput& in) : in_(in) {
-    Facets surface;
-    surface.nodes = in.mesh.points;
-    for (const auto& t : in.mesh.triangles) surface.triangles.push_back({t[0], t[1], t[2]});
-    surface.face = in.mesh.triangle_on;
-    bvh_ = FacetBvh(surface, std::vector<double>(surface.triangles.size(), 0.0), in.model.count(2));
-  }
+  explicit SurfaceSampler(const ClaimInput& in) : in_(in) {}
 
   /// Tells the claim what is too far; returns the worst share.
   double run(ClaimBuilder& claim) {
@@ -109,13 +102,12 @@ class SurfaceSampler {
   }
 
   [[nodiscard]] FarPlace distance_at(int face, const Vec3& p) const {
-    const auto near = bvh_.nearest(p, std::numeric_limits<double>::infinity(), face);
+    const auto near = in_.surface.nearest(p, std::numeric_limits<double>::infinity(), face);
     if (!near) return {0.0, 0.0, p};
     return {near->distance / in_.longest_side(in_.mesh.triangles[near->triangle]), near->distance, p};
   }
 
   const ClaimInput& in_;
-  FacetBvh bvh_;
 };
 
 }  // namespace

@@ -10,7 +10,6 @@
 #include "base/blocks.h"
 #include "classify/claims.h"
 #include "classify/triangle_crossing.h"
-#include "geom/facet_bvh.h"
 
 namespace octet {
 namespace {
@@ -35,15 +34,6 @@ bool side_meets(const ClaimInput& in, const std::array<Mesh::Index, 2>& side,
   if (shared == 1) return segment_enters_triangle(corner_at(0), in.point(other), corner_at(1), corner_at(2));
   return segment_meets_triangle(in.point(side[0]), in.point(side[1]), corner_at(0), corner_at(1),
                                 corner_at(2));
-}
-
-Facets surface_of(const Mesh& mesh) {
-  Facets facets;
-  facets.nodes = mesh.points;
-  facets.triangles.reserve(mesh.triangles.size());
-  for (const auto& t : mesh.triangles) facets.triangles.push_back({t[0], t[1], t[2]});
-  facets.face = mesh.triangle_on;
-  return facets;
 }
 
 }  // namespace
@@ -82,9 +72,6 @@ Claim claim_volumes_add_up(const ClaimInput& in) {
 Claim claim_no_overlap(const ClaimInput& in) {
   ClaimBuilder claim("no-overlap",
                      "The triangles meet only in the vertices and edges they share (exact signs).");
-  const Facets surface = surface_of(in.mesh);
-  const std::vector<double> grow(surface.triangles.size(), in.model.tolerance());
-  const FacetBvh bvh(surface, grow, in.model.count(2));
   struct Meeting {
     std::size_t side;
     std::uint32_t triangle;
@@ -95,7 +82,7 @@ Claim claim_no_overlap(const ClaimInput& in) {
     for (std::size_t i = first; i < last; ++i) {
       const auto& side = in.sides[i].v;
       if (i > 0 && in.sides[i - 1].v == side) continue;
-      bvh.visit_segment(in.point(side[0]), in.point(side[1]), [&](std::uint32_t triangle) {
+      in.surface.visit_segment(in.point(side[0]), in.point(side[1]), [&](std::uint32_t triangle) {
         if (side_meets(in, side, in.mesh.triangles[triangle])) met.push_back({i, triangle});
       });
     }

@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
+#include "base/bucket_sort.h"
 #include "classify/dual_crossings.h"
 #include "mesh/circumcentre.h"
 
@@ -20,45 +20,20 @@ struct EdgeUseOfFacet {
   std::uint32_t facet;
 };
 
-/// Facets by one of their vertices each: those of vertex v are [first[v], first[v + 1]), ascending.
-/// `vertex_of(facet, i)` is asked for i = 0, 1, 2.
-struct FacetsByVertex {
-  template <class VertexOf>
-  FacetsByVertex(std::size_t vertices, std::size_t facets, const VertexOf& vertex_of)
-      : first(vertices + 1, 0), facet(3 * facets) {
-    for (std::uint32_t n = 0; n < facets; ++n)
-      for (int i = 0; i < 3; ++i) ++first[vertex_of(n, i) + 1];
-    std::partial_sum(first.begin(), first.end(), first.begin());
-    std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
-    for (std::uint32_t n = 0; n < facets; ++n)
-      for (int i = 0; i < 3; ++i) facet[next[vertex_of(n, i)]++] = n;
-  }
-  std::vector<std::uint32_t> first, facet;
-};
-
 /// Sorted by a, b, facet.
 std::vector<EdgeUseOfFacet> edge_uses(std::size_t vertices, const std::vector<BoundaryFacet>& facets) {
-  const auto ends = [&](std::uint32_t n, int i) {
-    return std::minmax({facets[n].v[i].index(), facets[n].v[(i + 1) % 3].index()});
-  };
-  const FacetsByVertex by_lower(vertices, facets.size(),
-                                [&](std::uint32_t n, int i) { return ends(n, i).first; });
   std::vector<EdgeUseOfFacet> uses;
   uses.reserve(3 * facets.size());
-  for (std::uint32_t a = 0; a < vertices; ++a) {
-    const auto begin = static_cast<std::ptrdiff_t>(uses.size());
-    std::uint32_t before = UINT32_MAX;
-    for (std::uint32_t k = by_lower.first[a]; k < by_lower.first[a + 1]; ++k) {
-      const std::uint32_t n = by_lower.facet[k];
-      if (n == before) continue;  // both of its edges at the vertex are taken
-      before = n;
-      for (int i = 0; i < 3; ++i)
-        if (const auto [lower, upper] = ends(n, i); lower == a) uses.push_back({a, upper, n});
+  for (std::uint32_t n = 0; n < facets.size(); ++n)
+    for (int i = 0; i < 3; ++i) {
+      const std::uint32_t a = facets[n].v[i].index(), b = facets[n].v[(i + 1) % 3].index();
+      uses.push_back({std::min(a, b), std::max(a, b), n});
     }
-    std::sort(uses.begin() + begin, uses.end(), [](const EdgeUseOfFacet& x, const EdgeUseOfFacet& y) {
-      return x.b != y.b ? x.b < y.b : x.facet < y.facet;
-    });
-  }
+  bucket_sort(
+      uses, vertices, [](const EdgeUseOfFacet& use) { return use.a; },
+      [](const EdgeUseOfFacet& x, const EdgeUseOfFacet& y) {
+        return x.b != y.b ? x.b < y.b : x.facet < y.facet;
+      });
   return uses;
 }
 
@@ -170,14 +145,24 @@ class GapFinder {
   /// between pieces elsewhere; closed fans are right only where a face holds the vertex without an edge
   /// (apex, pole).
   void vertices() {
-    const FacetsByVertex at(on_.size(), facets_->size(),
-                            [&](std::uint32_t n, int i) { return (*facets_)[n].v[i].index(); });
-    const auto is_bare = [&](std::uint32_t v) { return at.first[v] == at.first[v + 1]; };
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> corners;  // vertex, facet
+    corners.reserve(3 * facets_->size());
+    for (std::uint32_t n = 0; n < facets_->size(); ++n)
+      for (const VertexId v : (*facets_)[n].v) corners.emplace_back(v.index(), n);
+    bucket_sort(
+        corners, on_.size(), [](const auto& corner) { return corner.first; },
+        [](const auto& x, const auto& y) { return x.second < y.second; });
+    std::vector<std::uint8_t> bare(on_.size(), 1);
+    std::vector<std::uint32_t> around;
+    for (std::size_t i = 0, j = 0; i < corners.size(); i = j) {
+      around.clear();
+      for (j = i; j < corners.size() && corners[j].first == corners[i].first; ++j)
+        around.push_back(corners[j].second);
+      bare[corners[i].first] = 0;
+      vertex_fans(VertexId(corners[i].first), around);
+    }
     for (std::uint32_t v = 0; v < on_.size(); ++v)
-      if (!is_bare(v))
-        vertex_fans(VertexId(v), std::span(at.facet).subspan(at.first[v], at.first[v + 1] - at.first[v]));
-    for (std::uint32_t v = 0; v < on_.size(); ++v)
-      if (is_bare(v) && on_[v].dim == 2 && bounds_a_region(on_[v].tag)) {
+      if (bare[v] && on_[v].dim == 2 && bounds_a_region(on_[v].tag)) {
         Gap gap;
         gap.kind = GapKind::kBareVertex;
         gap.entity = on_[v];
@@ -191,7 +176,7 @@ class GapFinder {
     return model_.face(face).region[0] != model_.face(face).region[1];
   }
 
-  void vertex_fans(VertexId v, std::span<const std::uint32_t> around) {
+  void vertex_fans(VertexId v, const std::vector<std::uint32_t>& around) {
     const ModelRef on = on_[v.index()];
     if (on.dim > 2) {  // an octree vertex on the boundary: its facets are reported as kNoFace
       return;
@@ -233,7 +218,7 @@ class GapFinder {
 
   /// Number of closed fans of facets around v (joined over non-piece edges); -1 when an edge joins other than
   /// two.
-  int count_loops(VertexId v, std::span<const std::uint32_t> around) {
+  int count_loops(VertexId v, const std::vector<std::uint32_t>& around) {
     // spokes: the far ends of the edges at v that are no pieces, with the facets that use them.
     auto& [spokes, open, parent, has_end] = fan_;
     spokes.clear();

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sorting by a number that has about as many values as there are items.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace octet {
+
+/// Sorts by bucket_of(item), in 0..buckets-1, then by `less`. O(n + buckets) where all buckets are small.
+/// Requires fewer than 2^32 items.
+template <class Item, class BucketOf, class Less>
+void bucket_sort(std::vector<Item>& items, std::size_t buckets, const BucketOf& bucket_of, const Less& less) {
+  std::vector<std::uint32_t> end(buckets + 1, 0);
+  for (const Item& item : items) ++end[bucket_of(item) + 1];
+  for (std::size_t b = 0; b < buckets; ++b) end[b + 1] += end[b];
+  std::vector<Item> sorted(items.size());
+  for (const Item& item : items) sorted[end[bucket_of(item)]++] = item;
+  std::uint32_t begin = 0;
+  for (std::size_t b = 0; b < buckets; begin = end[b++])
+    std::sort(sorted.begin() + begin, sorted.begin() + end[b], less);
+  items.swap(sorted);
+}
+
+}  // namespace octet
