@@ -17,6 +17,13 @@ namespace {
 /// Sides a task.
 constexpr std::size_t kBlock = 1024;
 
+template <std::size_t N>
+Box3 box_of(const ClaimInput& in, const std::array<Mesh::Index, N>& vertices) {
+  Box3 box;
+  for (const Mesh::Index v : vertices) box.add(in.point(v));
+  return box;
+}
+
 /// Whether a side meets a triangle anywhere but in the vertices that they share.
 bool side_meets(const ClaimInput& in, const std::array<Mesh::Index, 2>& side,
                 const std::array<Mesh::Index, 3>& triangle) {
@@ -79,12 +86,26 @@ Claim claim_no_overlap(const ClaimInput& in) {
   };
   const auto meetings = [&](std::size_t first, std::size_t last) {
     std::vector<Meeting> met;
-    for (std::size_t i = first; i < last; ++i) {
-      const auto& side = in.sides[i].v;
-      if (i > 0 && in.sides[i - 1].v == side) continue;
-      in.surface.visit_segment(in.point(side[0]), in.point(side[1]), [&](std::uint32_t triangle) {
-        if (side_meets(in, side, in.mesh.triangles[triangle])) met.push_back({i, triangle});
+    std::vector<std::uint32_t> near;
+    for (std::size_t i = first, end = first; i < last; i = end) {
+      // One search for all sides that run up from a vertex.
+      Box3 box;
+      for (; end < last && in.sides[end].v[0] == in.sides[i].v[0]; ++end)
+        box.add(box_of(in, in.sides[end].v));
+      near.clear();
+      in.surface.any_in_box(box, [&](std::uint32_t triangle) {
+        near.push_back(triangle);
+        return false;
       });
+      for (std::size_t n = i; n < end; ++n) {
+        const auto& side = in.sides[n].v;
+        if (n > 0 && in.sides[n - 1].v == side) continue;
+        const Box3 own = box_of(in, side);
+        for (const std::uint32_t triangle : near)
+          if (own.overlaps(box_of(in, in.mesh.triangles[triangle])) &&
+              side_meets(in, side, in.mesh.triangles[triangle]))
+            met.push_back({n, triangle});
+      }
     }
     std::sort(met.begin(), met.end());
     return met;
