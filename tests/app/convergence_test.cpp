@@ -201,9 +201,10 @@ TEST(Convergence, BallIsSecondOrder) { expect_second_order(analytic_ball(1.0), {
 TEST(Convergence, CylinderIsSecondOrder) { expect_second_order(analytic_cylinder(1.0, 1.5), {0.4}, 1); }
 /// At a uniform size a cone's area is not of second order: its curvature is 1/r, so the relative error
 /// (size/r)^2 summed over the face is size^2 log(1/size). Measured over the square of the size: 0.178 at 0.3,
-/// 0.219 at 0.075, 0.282 at 0.019, so that the last halving divides by 3.3.
+/// 0.219 at 0.075, 0.282 at 0.019, so that the last halving divides by 3.3. From 0.25 on: at 0.3 there are
+/// 900 tetrahedra, and the first ratio is chance (3.0 to 3.4).
 TEST(Convergence, ConeAtAUniformSizeIsSecondOrderButForALogarithm) {
-  expect_second_order(analytic_cone(1.0, 1.5), {.first = 0.3, .count = 4}, 1, 3.3);
+  expect_second_order(analytic_cone(1.0, 1.5), {.first = 0.25, .count = 4}, 1, 3.3);
 }
 /// Graded towards the apex, as its curvature asks, the logarithm goes: 3.87 and 3.90 for the area.
 TEST(Convergence, ConeGradedByCurvatureIsSecondOrder) {
