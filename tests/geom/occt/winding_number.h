@@ -34,26 +34,26 @@ class WindingNumbers {
   [[nodiscard]] std::optional<int> region_around(const Vec3& p) {
     for (const double share : {1e-3, 1e-4}) {
       const double deflection = share * model_.diagonal();
-      if (const auto answer = region_around(p, triangles(deflection), 3.0 * deflection)) return answer;
+      if (const auto answer = region_around(p, triangles(deflection))) return answer;
     }
     if (facets_.empty()) facets_ = facets();
-    return region_around(p, facets_, 3.0 * model_.bvh().max_grow());
+    return region_around(p, facets_);
   }
 
  private:
   struct Triangle {
     Vec3 a, b, c;
+    double clearance;  ///< how near to it p may not be
   };
   using Solids = std::vector<std::vector<Triangle>>;  ///< by tag, [0] unused
 
-  [[nodiscard]] static std::optional<int> region_around(const Vec3& p, const Solids& solids,
-                                                        double clearance) {
+  [[nodiscard]] static std::optional<int> region_around(const Vec3& p, const Solids& solids) {
     constexpr double kSure = 0.02;
     int found = 0;
     for (std::size_t tag = 1; tag < solids.size(); ++tag) {
       double angle = 0.0;
       for (const Triangle& t : solids[tag]) {
-        if (closest_on_triangle(p, t.a, t.b, t.c).distance < clearance) return std::nullopt;
+        if (closest_on_triangle(p, t.a, t.b, t.c).distance < t.clearance) return std::nullopt;
         angle += solid_angle(t.a - p, t.b - p, t.c - p);
       }
       const double turns = std::abs(angle) / (4.0 * std::numbers::pi);
@@ -97,7 +97,7 @@ class WindingNumbers {
         int a = 0, b = 0, c = 0;
         mesh->Triangle(i).Get(a, b, c);
         if (side == TopAbs_REVERSED) std::swap(b, c);
-        triangles.push_back({node(a), node(b), node(c)});
+        triangles.push_back({node(a), node(b), node(c), 3.0 * deflection});
       }
     }
     return triangles;
@@ -108,9 +108,10 @@ class WindingNumbers {
     const Facets& facets = model_.facets();
     for (std::size_t i = 0; i < facets.triangles.size(); ++i) {
       const auto [a, b, c] = facet_corners(facets, i);
+      const double grow = model_.bvh().grow(static_cast<std::uint32_t>(i));
       const auto& [behind, before] = model_.face(facets.face[i]).region;
-      if (behind != 0) solids[behind].push_back({a, b, c});
-      if (before != 0) solids[before].push_back({a, c, b});
+      if (behind != 0) solids[behind].push_back({a, b, c, grow});
+      if (before != 0) solids[before].push_back({a, c, b, grow});
     }
     return solids;
   }
