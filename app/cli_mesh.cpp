@@ -47,7 +47,7 @@ MeshOptions mesh_options(const MeshCommand& command, const LengthUnit& unit) {
   if (options.threads < 1)
     throw InputError(fmt::format("--threads must be at least 1, not {}", options.threads));
   options.finalize = command.finalize;
-  options.fast = command.fast;
+  options.scope = command.scope;
   return options;
 }
 

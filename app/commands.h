@@ -8,6 +8,7 @@
 #include <string>
 
 #include "app/size_words.h"
+#include "finalize/finalize.h"
 #include "geom/occt/read_part.h"
 
 namespace octet {
@@ -21,7 +22,7 @@ struct MeshCommand {
   std::optional<int> threads;  ///< none: one per core
   std::optional<double> max_elements;
   bool finalize = true;
-  bool fast = false;
+  FinalizeScope scope = FinalizeScope::kAll;
   bool quiet = false, verbose = false;
 };
 

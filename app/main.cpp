@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <map>
 #include <new>
 #include <string>
 #include <utility>
@@ -79,7 +80,19 @@ void add_mesh(CLI::App& app, MeshCommand& mesh) {
   sub.add_option("--report", mesh.report, "Write a report as JSON")->type_name("FILE");
   sub.add_option("--dump-stages", mesh.dump_directory, "Write the mesh of every stage into this directory")
       ->type_name("DIR");
-  sub.add_flag("--fast", mesh.fast, "Improve the worst elements' shapes only, not the good ones'");
+  CLI::Option* fast = sub.add_flag_callback(
+      "--fast", [&mesh] { mesh.scope = FinalizeScope::kWorst; },
+      "Improve the worst elements' shapes only, not the good ones'");
+  const std::map<std::string, FinalizeScope> scopes{{"smoothing", FinalizeScope::kSmoothing},
+                                                    {"nicks", FinalizeScope::kNicks},
+                                                    {"worst", FinalizeScope::kWorst},
+                                                    {"all", FinalizeScope::kAll}};
+  sub.add_option(
+         "--finalize", mesh.scope,
+         "How much to do for shapes: smoothing, nicks (and short edges), worst (as --fast), all (default)")
+      ->transform(CLI::CheckedTransformer(scopes).description(""))
+      ->type_name("SCOPE")
+      ->excludes(fast);
   sub.add_flag("!--no-finalize", mesh.finalize, "Leave the elements' shapes as classification made them");
   CLI::Option* quiet = sub.add_flag("--quiet,-q", mesh.quiet, "Print nothing but errors");
   sub.add_flag("--verbose,-v", mesh.verbose, "Tell of every stage on stderr")->excludes(quiet);

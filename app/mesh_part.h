@@ -10,6 +10,7 @@
 #include "base/fault.h"
 #include "base/observer.h"
 #include "classify/acceptance.h"
+#include "finalize/finalize.h"
 #include "geom/model.h"
 #include "geom/size_plan.h"
 #include "mesh/mesh.h"
@@ -23,7 +24,7 @@ struct MeshOptions : SizeControl {
   std::size_t max_elements = 20'000'000;  ///< LimitError when more would be needed
   int threads = 1;                        ///< same bytes for any number
   bool finalize = true;
-  bool fast = false;  ///< finalization works on the worst elements alone
+  FinalizeScope scope = FinalizeScope::kAll;  ///< of finalization
 };
 
 /// What a run came to.

@@ -189,7 +189,7 @@ class Run {
     if (!options_.finalize || (!result_.report.faults.empty() && broken_.empty())) return;
     begin("finalization", 0.65);
     FinalizeOptions finalize_options;
-    finalize_options.worst_only = options_.fast;
+    finalize_options.scope = options_.scope;
     finalize_options.fixed_vertices = fixed_vertices_;
     finalize_options.volume_beyond = deep_volumes(band_->tree, band_->labels, band_->split, model_.count(3));
     finalize_options.size_at = [this](const Vec3& p) { return band_->tree.size_at(p); };

@@ -77,20 +77,30 @@ FinalizeReport finalize(Mesh& mesh, const Model& model, const FinalizeOptions& o
   Workshop shop(to_work_mesh(mesh, options.fixed_vertices), model, options);
   const Extremes before = extremes(shop.mesh, options.target_dihedral);
   const double polish = shape_of_angle(kPolishAngle);
-  collapse_short_edges(shop);
-  if (options.worst_only) {
-    const double target = shape_of_angle(options.target_dihedral);
-    improve_worst_first(shop, target, Effort::kPolish, observer);
-    chase(shop, target, polish, observer);
-  } else {
-    const double chased = shape_of_angle(std::max(kChaseAngle, options.target_dihedral));
-    relax_for_mean(shop, polish, 1);
-    raise_mean(shop, polish, observer);
-    collapse_for_mean(shop, polish);
-    raise_mean(shop, polish, observer);
-    improve_worst_first(shop, std::max(polish, chased), Effort::kPolish, observer);
-    chase(shop, chased, polish, observer);
-    raise_mean(shop, polish, observer);
+  const double target = shape_of_angle(options.target_dihedral);
+  const double chased = shape_of_angle(std::max(kChaseAngle, options.target_dihedral));
+  if (options.scope != FinalizeScope::kSmoothing) collapse_short_edges(shop);
+  switch (options.scope) {
+    case FinalizeScope::kSmoothing:
+    case FinalizeScope::kNicks:
+      for (int pass = 0; pass < kPasses; ++pass) {
+        relax_for_mean(shop, polish, kSweeps);
+        relax_around(shop, chased, polish);
+      }
+      break;
+    case FinalizeScope::kWorst:
+      improve_worst_first(shop, target, Effort::kPolish, observer);
+      chase(shop, target, polish, observer);
+      break;
+    case FinalizeScope::kAll:
+      relax_for_mean(shop, polish, 1);
+      raise_mean(shop, polish, observer);
+      collapse_for_mean(shop, polish);
+      raise_mean(shop, polish, observer);
+      improve_worst_first(shop, std::max(polish, chased), Effort::kPolish, observer);
+      chase(shop, chased, polish, observer);
+      raise_mean(shop, polish, observer);
+      break;
   }
   Extremes after = extremes(shop.mesh, options.target_dihedral);
   if (after.range.smallest < before.range.smallest) {

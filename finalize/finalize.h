@@ -12,6 +12,14 @@
 
 namespace octet {
 
+/// How much is done.
+enum class FinalizeScope {
+  kSmoothing,  ///< vertices are moved, and nothing else
+  kNicks,      ///< also the edges below `short_edge` are collapsed first
+  kWorst,      ///< nicks, then all operators, on what is below the target alone: a tenth of the time
+  kAll,
+};
+
 struct FinalizeOptions {
   double target_dihedral = 0.349;  ///< radians (20 degrees): what every element should have; less is reported
   double leave_interior =
@@ -20,9 +28,7 @@ struct FinalizeOptions {
       0.35;  ///< edges shorter than this share of the local size are collapsed where the model allows
   double max_seconds =
       0.0;  ///< 0: the built-in work budget only (deterministic; counts of operations, not time)
-  /// Works on the elements below `target_dihedral` alone: a third of the time, and good ones are not made
-  /// better.
-  bool worst_only = false;
+  FinalizeScope scope = FinalizeScope::kAll;
   /// The first so many vertices stay where they are and keep their numbers: tetrahedra that are not given
   /// here hold on to them, beyond faces that have one tetrahedron and are no triangles.
   std::size_t fixed_vertices = 0;

@@ -47,20 +47,34 @@ TEST(Finalize, BringsAJitteredBoxWithFlatTetrahedraToTwentyDegreesAndKeepsItsVol
   EXPECT_NEAR(testing::total_volume(part.mesh), 0.96, 1e-12);
 }
 
+TEST(Finalize, SmoothingAloneMovesVerticesAndKeepsTheTetrahedra) {
+  Part part = testing::box_part({1, 1.2, 0.8}, 8, 8, 7, true);
+  testing::Dice dice(11);
+  testing::jitter(part.mesh, part.model, 0.09, dice);
+  const Mesh jittered = part.mesh;
+  FinalizeOptions options = testing::options_of_size(0.13);
+  options.scope = FinalizeScope::kSmoothing;
+  Observer observer;
+  const FinalizeReport report = finalize(part.mesh, part.model, options, observer);
+  EXPECT_GT(report.min_dihedral_after, report.min_dihedral_before);
+  EXPECT_EQ(part.mesh.tets, jittered.tets);
+  EXPECT_NE(part.mesh.points, jittered.points);
+}
+
 TEST(Finalize, WorstOnlyReachesTheTargetAndLeavesGoodElementsAlone) {
   Part part = testing::box_part({1, 1.2, 0.8}, 8, 8, 7, true);
   testing::Dice dice(11);
   testing::jitter(part.mesh, part.model, 0.09, dice);
   const Mesh jittered = part.mesh;
   FinalizeOptions options = testing::options_of_size(0.13);
-  options.worst_only = true;
+  options.scope = FinalizeScope::kWorst;
   Observer observer;
   const FinalizeReport report = finalize(part.mesh, part.model, options, observer);
   EXPECT_EQ(faults_of(part.mesh, part.model, testing::face_euler(jittered, part.model.count(2))), "");
   EXPECT_LT(report.min_dihedral_before, 18.0 * kDegree);
   EXPECT_GE(report.min_dihedral_after, options.target_dihedral);
   Mesh whole = jittered;
-  options.worst_only = false;
+  options.scope = FinalizeScope::kAll;
   const FinalizeReport full = finalize(whole, part.model, options, observer);
   EXPECT_LT(report.smoothed + report.edge_removals + report.face_swaps,
             (full.smoothed + full.edge_removals + full.face_swaps) / 2);
