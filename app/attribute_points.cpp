@@ -23,6 +23,8 @@ constexpr double kMatchShare = 0.9;
 constexpr double kFacing = -0.7;
 /// A partner this close to a point that is there already has its partner: the ball of that point.
 constexpr double kSamePoint = 0.25;
+/// Sheets on one another that get partners of one point.
+constexpr int kSheets = 4;
 
 class AttributeLoop {
  public:
@@ -72,18 +74,21 @@ class AttributeLoop {
     result_.gaps = find_dual_crossings(band_, mesh(), on_);
   }
 
-  /// The bound of each cell ends every run; where gaps grow all over the part (a surface that folds over
-  /// itself), this ends it sooner.
+  /// The bound of each cell ends every run; where gaps grow, or do not get fewer, all over the part (a
+  /// surface that folds over itself), this ends it sooner.
   bool runs_away() {
-    constexpr std::size_t kPatience = 6, kGrowth = 3, kFew = 60;
+    constexpr std::size_t kPatience = 6, kGrowth = 3, kFew = 60, kLooks = 4, kMany = 1000;
     if (std::all_of(result_.gaps.begin(), result_.gaps.end(),
                     [](const Gap& gap) { return gap.kind == GapKind::kMissingPiece; }))
       return false;  // facets have not been looked at in this round
-    const auto now = static_cast<std::size_t>(
-        std::count_if(result_.gaps.begin(), result_.gaps.end(),
-                      [&](const Gap& gap) { return spent_at(gap.place) < limits_.per_cell; }));
+    const auto now =
+        static_cast<std::size_t>(std::count_if(result_.gaps.begin(), result_.gaps.end(), [&](const Gap& gap) {
+          return spent_at(gap.place) < limits_.per_cell;
+        }));
+    if (looks_++ == 0) first_ = now;
     fewest_ = std::min(fewest_, now);
-    return result_.rounds >= kPatience && now > kGrowth * fewest_ + kFew;
+    result_.hopeless = looks_ >= kLooks && now > first_ / 2 + kMany;
+    return result_.hopeless || (result_.rounds >= kPatience && now > kGrowth * fewest_ + kFew);
   }
 
   [[nodiscard]] std::string round_text() const {
@@ -183,13 +188,14 @@ class AttributeLoop {
     for (const EdgePartner& b : edges_.partners(edge, t, reach)) match_on_edge(b, clearance);
     for (const FacePartner& b :
          face_partners(model_, model_edge(edge), p, model_.edge_derivative(edge, t), reach))
-      match_on_face(model_face(b.face), b.point, clearance, at);
+      if (match_on_face(model_face(b.face), b.point, clearance, at))
+        match_sheets(b.point, b.face, b.normal, clearance, kSheets);
   }
 
-  void match_on_face(ModelRef face, const Vec3& b, double clearance, TetId near) {
+  /// Whether the point went in: not where the face has one already.
+  bool match_on_face(ModelRef face, const Vec3& b, double clearance, TetId near) {
     if (near.valid() && !mesh().alive(near)) near = TetId();
-    if (near_a_point_of(face, b, kSamePoint * clearance, near)) return;
-    insert(b, face, near);
+    return !near_a_point_of(face, b, kSamePoint * clearance, near) && insert(b, face, near);
   }
 
   void match_on_edge(const EdgePartner& b, double clearance) {
@@ -228,16 +234,22 @@ class AttributeLoop {
 
   void insert_on_face(const AttributePoint& p, TetId near) {
     if (split_encroached(p.point, near)) return;
-    if (!insert(p.point, p.on, near)) return;
+    if (insert(p.point, p.on, near)) match_sheets(p.point, p.on.tag, p.normal, p.clearance, kSheets);
+  }
+
+  /// Partners of a point that has just gone in on a face, on the sheets that it sees on either side, and on
+  /// those that these see: where sheets lie on one another, all or none have a point there.
+  void match_sheets(const Vec3& a, int face, const Vec3& normal, double clearance, int sheets) {
+    if (sheets == 0) return;
     const TetId at = last_;
     for (const int side : {-1, 1}) {
-      const auto b = opposite_point(model_, p.point, p.on.tag, p.normal, side, kMatchShare * p.clearance);
+      const auto b = opposite_point(model_, a, face, normal, side, kMatchShare * clearance);
       if (!b || b->on.dim == 0) continue;
       if (b->on.dim == 1) {
-        match_on_edge({b->on.tag, model_.edge_closest(b->on.tag, b->point).t, b->point}, p.clearance);
-        continue;
+        match_on_edge({b->on.tag, model_.edge_closest(b->on.tag, b->point).t, b->point}, clearance);
+      } else if (b->normal.dot(normal) <= kFacing && match_on_face(b->on, b->point, clearance, at)) {
+        match_sheets(b->point, b->on.tag, b->normal, clearance, sheets - 1);
       }
-      if (b->normal.dot(p.normal) <= kFacing) match_on_face(b->on, b->point, p.clearance, at);
     }
   }
 
@@ -330,8 +342,9 @@ class AttributeLoop {
   const Model& model_;
   AttributeResult result_;
   int dual_rounds_ = 0;
-  std::size_t fewest_ = std::numeric_limits<std::size_t>::max();
-  std::unordered_map<std::size_t, std::size_t> spent_;  ///< points by cell
+  std::size_t looks_ = 0;  ///< rounds in which facets were looked at
+  std::size_t first_ = 0, fewest_ = std::numeric_limits<std::size_t>::max();  ///< gaps open in such rounds
+  std::unordered_map<std::size_t, std::size_t> spent_;                        ///< points by cell
   std::vector<std::uint8_t> changed_;  ///< per tetrahedron: made in this round
   std::vector<TetId> relabel_, created_, cavity_;
   TetId last_;

@@ -30,6 +30,7 @@ struct AttributeResult {
   std::size_t rounds = 0;
   std::size_t points = 0;    ///< inserted
   std::size_t rejected = 0;  ///< wanted, but closer than the floor to another point
+  bool hopeless = false;     ///< gaps all over the part, and points do not make them fewer
 };
 
 /// Inserts attribute points into the triangulation, in matched pairs, until find_gaps() is empty or a limit

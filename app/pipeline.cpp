@@ -112,7 +112,7 @@ class Run {
       result_.report.rounds += next->closed.rounds;
       const bool better = !band_ || next->closed.gaps.size() < band_->closed.gaps.size();
       if (better) band_ = std::move(next);
-      if (band_->closed.gaps.empty() || !better || depth == kSubdivisions) break;
+      if (band_->closed.gaps.empty() || band_->closed.hopeless || !better || depth == kSubdivisions) break;
       std::optional<Octree> finer = subdivide_at_gaps(*band_, 0.5 * finest_octant());
       if (!finer) break;
       observer_.note(fmt::format("{} gaps left: their octants subdivided, {} octants now",

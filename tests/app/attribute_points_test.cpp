@@ -61,9 +61,8 @@ class Bench {
 
   std::vector<Gap> gaps() { return find_gaps(band_, triangulation_.mesh(), on_, *chains_); }
 
-  AttributeResult close(std::size_t points) {
-    AttributeLimits limits;
-    limits.points = points;
+  AttributeResult close(std::size_t points) { return close(AttributeLimits{.points = points}); }
+  AttributeResult close(AttributeLimits limits) {
     limits.floor = 1e-5;
     Observer silent;
     return close_gaps(triangulation_, band_, *chains_, on_, edges_, limits, silent);
@@ -108,6 +107,26 @@ TEST(AttributePoints, WhatTheLimitLeavesOpenIsReported) {
   EXPECT_FALSE(result.gaps.empty());
   const Fault fault = describe_gap(model, result.gaps.front());
   EXPECT_NE(fault.cause.find("Face 1"), std::string::npos);
+}
+
+TEST(AttributePoints, ACellThatHasSpentItsPointsStaysOpenAndTheOthersClose) {
+  const Model model = analytic_ball(1.0, {});
+  Bench bench(model, 0.3);
+  bench.triangulate([](const Vec3& p, ModelRef on) { return on.dim == 3 || std::abs(p.z()) < 0.4; });
+  const std::size_t before = bench.on().size();
+  std::size_t other = 0;
+  AttributeLimits limits;
+  limits.points = 2000;
+  limits.per_cell = 3;
+  limits.cell_at = [&](const Vec3& p) { return p.z() > 0.0 ? 0 : ++other; };
+  const AttributeResult result = bench.close(limits);
+  EXPECT_FALSE(result.gaps.empty());
+  for (const Gap& gap : result.gaps) EXPECT_GT(gap.place.z(), 0.0);
+  int north = 0;
+  for (std::size_t n = before; n < bench.on().size(); ++n)
+    north += bench.mesh().points[VertexId(n)].z() > 0.4;
+  EXPECT_GT(north, 0);
+  EXPECT_LE(north, 4);
 }
 
 TEST(AttributePoints, AMissingEdgePieceIsFoundAndSplit) {
