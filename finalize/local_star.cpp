@@ -29,6 +29,14 @@ std::optional<FaceFoot> project(const Workshop& shop, LocalStar& star, int face,
   return foot.converged ? std::optional(foot) : std::nullopt;
 }
 
+/// Whether a vertex of the face would stand on its surface beyond its border: where that is curved there is
+/// room between the border and the mesh edges along it.
+bool beyond_border(const Workshop& shop, int face, const Stand& stand) {
+  const Seat* seat = find_seat(stand, face);
+  const Vec2 uv = seat != nullptr ? seat->uv : shop.model.face_project(face, stand.point, Vec2::Zero()).uv;
+  return shop.model.face_side(face, uv) == TrimSide::kOut;
+}
+
 /// Triangles of the tetrahedron at the vertex; those with two sides are taken from one of them.
 void collect_triangles(const WorkMesh& mesh, TetId t, VertexId v, std::vector<StarTriangle>& triangles) {
   for (int f = 0; f < 4; ++f) {
@@ -131,6 +139,7 @@ StarMeasure measure(LocalStar& star, const Vec3& place, double floor) {
 }
 
 bool triangles_fit(const Workshop& shop, const LocalStar& star, const Stand& stand) {
+  if (star.on.dim == 2 && beyond_border(shop, star.on.tag, stand)) return false;
   for (std::size_t i = 0; i < star.triangles.size(); ++i) {
     const int face = star.triangles[i].face;
     const Seat* seat = shop.guard.planar(face) ? nullptr : find_seat(stand, face);

@@ -58,7 +58,8 @@ void dress_triangles(const Workshop& shop, LocalStar& star, const Fit& before, d
 
 /// The star with the vertex there; may stop early at a worst shape not above `floor`.
 [[nodiscard]] StarMeasure measure(LocalStar& star, const Vec3& place, double floor);
-/// Whether the triangles keep to the bound with the vertex standing so.
+/// Whether the triangles keep to the bound with the vertex standing so, and a vertex on a face within its
+/// border.
 [[nodiscard]] bool triangles_fit(const Workshop& shop, const LocalStar& star, const Stand& stand);
 
 /// Records how the vertex stands; the mesh's point is the caller's to move.
