@@ -216,10 +216,18 @@ std::vector<std::vector<SizeAttribute>> attributes_of(const Model& model, const 
 
 }  // namespace
 
+bool is_meshed_apart(const Model& model) {
+  if (model.parts().apart) return true;
+  for (int f = 1; f <= model.count(2); ++f)
+    if (model.face(f).region[0] == model.face(f).region[1]) return true;
+  return false;
+}
+
 MeshResult mesh_apart(const Model& model, const MeshOptions& options, Observer& observer) {
   const std::vector<Body> bodies = take_apart(model);
   const auto attributes = attributes_of(model, places_of(model, bodies), options.attributes, bodies.size());
   MeshOptions each = with_default_size(model, options);
+  each.target_elements = 0.0;
   MeshResult whole;
   whole.report.status = MeshStatus::kComplete;
   for (std::size_t b = 0; b < bodies.size(); ++b) {

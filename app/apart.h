@@ -11,7 +11,11 @@ namespace octet {
 /// when it holds for every body. Faces that bound nothing are not meshed; each is a fault of the report.
 [[nodiscard]] MeshResult mesh_apart(const Model& model, const MeshOptions& options, Observer& observer);
 
-/// As accept_mesh(), for a mesh that mesh_apart() made.
+/// Whether mesh_part() meshes body by body: where bodies may touch though they share nothing
+/// (ModelParts::apart), or faces bound nothing.
+[[nodiscard]] bool is_meshed_apart(const Model& model);
+
+/// As accept_mesh(), body by body: for a mesh that mesh_apart() made.
 [[nodiscard]] Acceptance accept_apart(const Mesh& mesh, const Model& model);
 
 }  // namespace octet

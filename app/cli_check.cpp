@@ -21,7 +21,7 @@ int run_check(const CheckCommand& command) {
   // A factor of exactly 1 leaves the coordinates as they are.
   for (Vec3& p : mesh.points) p *= unit.millimetres;
   const Model model = read_part(command.part, command.reading);
-  const Acceptance acceptance = command.reading.fuse ? accept_mesh(mesh, model) : accept_apart(mesh, model);
+  const Acceptance acceptance = is_meshed_apart(model) ? accept_apart(mesh, model) : accept_mesh(mesh, model);
   const RunNames names{command.part.string(), command.mesh.string(), unit.name};
   if (command.json)
     fmt::print("{}", acceptance_json(names, model, acceptance));

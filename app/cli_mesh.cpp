@@ -11,7 +11,6 @@
 #include <system_error>
 #include <thread>
 
-#include "app/apart.h"
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/exit_code.h"
@@ -92,8 +91,7 @@ int mesh_to_file(const MeshCommand& command, const MeshOptions& options, const L
   for (const std::string& note : model.notes()) console.note(note);
   const StageTime reading = clock.lap("reading");
 
-  MeshResult result =
-      command.reading.fuse ? mesh_part(model, options, console) : mesh_apart(model, options, console);
+  MeshResult result = mesh_part(model, options, console);
   MeshReport& report = result.report;
   report.times.insert(report.times.begin(), reading);
 

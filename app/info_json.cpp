@@ -170,6 +170,16 @@ Json tiny_json(const PartInfo& info) {
   return json;
 }
 
+Json faults_json(const Model& model) {
+  Json json = Json::array();
+  for (const Fault& fault : model.parts().faults)
+    json.push_back({{"dim", fault.entity.dim},
+                    {"tag", fault.entity.tag},
+                    {"place", vec_json(fault.place)},
+                    {"cause", fault.cause}});
+  return json;
+}
+
 Json wall_json(const Wall& wall) {
   return {{"thickness", wall.thickness},
           {"region", wall.region},
@@ -211,6 +221,7 @@ std::string part_info_json(const std::string& part, const Model& model, const Pa
   json["overlaps"] = overlaps_json(model, info);
   json["changed_numbers"] = changes_json(info);
   json["left_out"] = left_out_json(model);
+  json["faults"] = faults_json(model);
   json["regions"] = regions_json(model);
   json["faces"] = faces_json(model);
   json["edges"] = edges_json(model);

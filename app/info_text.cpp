@@ -145,12 +145,19 @@ std::string left_out_lines(const Model& model) {
     lines.push_back(fmt::format("{}{} as read{}, {:.6g} mm{}, at {}",
                                 kKind[static_cast<std::size_t>(item.entity.dim)], item.entity.tag,
                                 item.name.empty() ? "" : " \"" + item.name + "\"", item.measure,
-                                item.entity.dim == 2 ? "^2" : "", place_text(item.place)));
+                                item.entity.dim == 3   ? "^3"
+                                : item.entity.dim == 2 ? "^2"
+                                                       : "",
+                                place_text(item.place)));
   return listed("left out", lines);
 }
 
-std::string fault_summary(const PartInfo& info) {
+std::string fault_summary(const Model& model, const PartInfo& info) {
   std::string text;
+  for (const Fault& fault : model.parts().faults)
+    text +=
+        fmt::format("  fault    {}{} at {}\n", fault.entity.valid() ? model.describe(fault.entity) + " " : "",
+                    fault.cause, place_text(fault.place));
   if (!info.free_edges.empty())
     text += fmt::format("  free edges       {}\n", tag_list("Edge", info.free_edges));
   if (!info.nonmanifold.empty())
@@ -204,7 +211,7 @@ std::string part_text(const Model& model, const PartInfo& info) {
   text += smallest_lines(model, info);
   text += fmt::format("  default mesh size {:.6g} mm\n", info.default_size);
   text += name_lines(model) + change_lines(info) + left_out_lines(model);
-  text += fault_summary(info);
+  text += fault_summary(model, info);
   for (const std::string& note : model.notes()) text += fmt::format("  note     {}\n", note);
   return text;
 }

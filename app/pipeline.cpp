@@ -234,25 +234,24 @@ class Run {
   std::vector<int> broken_;  ///< regions left out
 };
 
-bool has_faces_that_bound_nothing(const Model& model) {
-  for (int f = 1; f <= model.count(2); ++f)
-    if (model.face(f).region[0] == model.face(f).region[1]) return true;
-  return false;
-}
-
 }  // namespace
 
 MeshResult mesh_part(const Model& model, const MeshOptions& options, Observer& observer) {
   if (options.threads < 1)
     throw InputError(fmt::format("the number of threads must be at least 1, not {}", options.threads));
-  if (has_faces_that_bound_nothing(model)) return mesh_apart(model, options, observer);
+  const bool apart = is_meshed_apart(model);
   MeshResult result;
   tbb::task_arena arena(options.threads);
-  const auto mesh = [&](const MeshOptions& with) { return Run(model, with, observer).run(); };
+  const auto mesh = [&](const MeshOptions& with) {
+    return apart ? mesh_apart(model, with, observer) : Run(model, with, observer).run();
+  };
   arena.execute([&] {
     result = options.target_elements > 0.0 ? mesh_to_target(model, options, mesh)
                                            : mesh(with_default_size(model, options));
   });
+  MeshReport& report = result.report;
+  report.faults.insert(report.faults.begin(), model.parts().faults.begin(), model.parts().faults.end());
+  if (!report.faults.empty()) report.status = MeshStatus::kIncomplete;
   return result;
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/fault.h"
 #include "base/model_ref.h"
 #include "base/vec.h"
 #include "geom/facets.h"
@@ -116,7 +117,9 @@ struct ModelParts {
   std::vector<std::shared_ptr<const Trim>> trims;        ///< per face
   Facets facets;
   std::string unit = "millimetre";  ///< of the file; coordinates here are millimetre
+  bool apart = false;               ///< bodies (geom/bodies.h) may touch or overlap though they share nothing
   std::vector<std::string> notes;   ///< what was healed, fused or found odd at load
+  std::vector<Fault> faults;        ///< what of the file the model is not: solids left out or not joined
   Provenance provenance;            ///< empty for a model that no file made
 };
 

@@ -35,14 +35,14 @@ struct PartNode {
 struct LeftOut {
   ModelRef entity;  ///< number as read
   std::string name;
-  double measure = 0.0;  ///< area or length, mm^2 or mm
+  double measure = 0.0;  ///< volume, area or length: mm^3, mm^2 or mm
   Vec3 place = Vec3::Zero();
 };
 
 struct Provenance {
   std::array<std::vector<EntityAsRead>, 4> as_read;  ///< by dimension and number as read, [0] unused
   std::vector<PartNode> tree;                        ///< an assembly before what it holds
-  std::vector<LeftOut> left_out;                     ///< faces, then edges and vertices of no such face
+  std::vector<LeftOut> left_out;                     ///< solids, then faces, edges, vertices of none such
 };
 
 /// Numbers as read of the entities that became each model entity, by tag; `count`: entities of the model.

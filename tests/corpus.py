@@ -8,7 +8,9 @@
 
 A size is `default`, a number N: the part's diagonal / N, or =N: that many elements. A manifest is a tab separated table with the columns
 name, difficulty and kind. The judges are independent programs that print JSON (`meshstat MESH`,
-`meshvscad PART MESH`). The exit code is 0 when every run is complete and every judge content.
+`meshvscad PART MESH`). With --assemblies (needs meshstat) the table also tells the regions, how many of the model's
+faces between two regions have triangles, how many such triangles there are (each face of two tetrahedra of
+different regions must be one, once), and the worst error of a region's volume against the CAD's. The exit code is 0 when every run is complete and every judge content.
 """
 import argparse
 import csv
@@ -23,7 +25,9 @@ from concurrent.futures import ThreadPoolExecutor
 
 SUFFIXES = (".step", ".stp", ".iges", ".igs", ".brep", ".brp")
 STATUS = {0: "complete", 2: "refused", 3: "incomplete", 4: "failed"}
-HEAD = ("file", "size", "status", "tets", "min dih", "p1 dih", "vol err", "check", "stat", "cad", "seconds", "why")
+HEAD = ("file", "size", "status", "tets", "min dih", "p1 dih", "vol err", "regions", "shared", "shared tris", "worst vol",
+        "check", "stat", "cad", "seconds", "why")
+ASSEMBLY_HEAD = ("regions", "shared", "shared tris", "worst vol")
 
 
 def arguments():
@@ -36,6 +40,7 @@ def arguments():
     parser.add_argument("--difficulty", help="comma separated; only these rows of the manifest")
     parser.add_argument("--kind", help="comma separated; only these rows of the manifest")
     parser.add_argument("--match", help="only files whose name holds this")
+    parser.add_argument("--assemblies", action="store_true", help="tell regions, shared faces, volumes of regions")
     parser.add_argument("--meshstat")
     parser.add_argument("--meshvscad")
     parser.add_argument("--keep", help="keep meshes and reports in this directory")
@@ -73,16 +78,36 @@ def call(command, limit):
 
 
 def judge_mesh(args, mesh):
-    """Verdict of meshstat: `ok`, or its first reason."""
+    """Verdict of meshstat, `ok` or its first reason, and all it says."""
     _, out, err, _ = call([args.meshstat, "--compact", mesh], args.limit)
     try:
         report = json.loads(out)
     except ValueError:
-        return "crash " + err.strip()[:60]
+        return "crash " + err.strip()[:60], {}
     if report.get("valid"):
-        return "ok"
+        return "ok", report
     problems = report.get("problems") or [report.get("error", "not valid")]
-    return str(problems[0])
+    return str(problems[0]), report
+
+
+def judge_assembly(args, part, stat, row):
+    """Regions and what they share, in the model and as meshstat counts it in the mesh: `ok`, or what is wrong."""
+    code, out, _, _ = call([args.octet, "info", part, "--json"], args.limit)
+    if code != 0 or not stat:
+        return "unknown"
+    info = json.loads(out)
+    shared = {f["tag"] for f in info["faces"] if 0 not in f["regions"] and f["regions"][0] != f["regions"][1]}
+    meshed = {s["tag"] for s in stat["surfaces_by_tag"]}
+    volumes = {v["tag"]: v["volume"] for v in stat["volumes_by_tag"]}
+    errors = [volumes.get(r["tag"], 0.0) / r["volume"] - 1.0 for r in info["regions"]]
+    match = stat["surface_elements_match"]
+    row["regions"] = f"{len(volumes)}/{len(info['regions'])}"
+    row["shared"] = f"{len(shared & meshed)}/{len(shared)}"
+    row["shared tris"] = stat["faces"]["interface_between_volume_tags"]
+    row["worst vol"] = f"{max(errors, key=abs):+.1e}"
+    if not match["exact_match"]:
+        return "triangles are not the faces of the regions"
+    return "ok" if shared <= meshed and len(volumes) == len(errors) else "regions or shared faces are missing"
 
 
 def judge_part(args, part, mesh):
@@ -148,8 +173,10 @@ def run_one(args, part, size, folder):
     row["check"] = "timeout" if check is None else {0: "ok", 3: "broken"}.get(check, f"exit {check} {err.strip()}")
     verdicts = [row["check"]]
     if args.meshstat:
-        row["stat"] = judge_mesh(args, mesh)
+        row["stat"], stat = judge_mesh(args, mesh)
         verdicts.append(row["stat"])
+        if args.assemblies:
+            verdicts.append(judge_assembly(args, part, stat, row))
     if args.meshvscad:
         row["cad"] = judge_part(args, part, mesh)
         verdicts.append(row["cad"])
@@ -160,15 +187,16 @@ def run_one(args, part, size, folder):
     return row
 
 
-def widths_of(parts):
-    widths = {h: max(len(h), 10) for h in HEAD if h != "why"}
+def widths_of(args, parts):
+    shown = [h for h in HEAD if args.assemblies or h not in ASSEMBLY_HEAD]
+    widths = {h: max(len(h), 10) for h in shown}
     widths["file"] = max([len("file")] + [len(os.path.basename(p)) for p in parts])
     widths["why"] = 3
     return widths
 
 
 def print_row(cells, widths):
-    print(" | ".join(str(cells[h]).ljust(widths[h]) for h in HEAD).rstrip(), flush=True)
+    print(" | ".join(str(cells[h]).ljust(widths[h]) for h in widths).rstrip(), flush=True)
 
 
 def main():
@@ -183,7 +211,7 @@ def main():
         os.makedirs(folder, exist_ok=True)
         with ThreadPoolExecutor(max_workers=args.jobs) as pool:
             jobs = [pool.submit(run_one, args, p, s, folder) for p in parts for s in sizes]
-            widths = widths_of(parts)
+            widths = widths_of(args, parts)
             print_row({h: h for h in HEAD}, widths)
             rows = []
             for job in jobs:

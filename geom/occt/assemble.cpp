@@ -4,16 +4,14 @@
 
 #include <fmt/format.h>
 
-#include <BRepLib.hxx>
 #include <algorithm>
 #include <array>
 #include <mutex>
 
 #include "geom/occt/heal.h"
+#include "geom/occt/join_solids.h"
 #include "geom/occt/marks.h"
-#include "geom/occt/measure.h"
-#include "geom/occt/tessellate.h"
-#include "geom/occt/topology.h"
+#include "geom/occt/shape_box.h"
 
 namespace octet {
 namespace {
@@ -49,8 +47,8 @@ void note_overlaps(ModelParts& parts) {
 }
 
 void note_left_out(ModelParts& parts) {
-  for (const int dim : {2, 1, 0}) {
-    static constexpr std::array<const char*, 3> kKind{"Vertex", "Edge", "Face"};
+  for (const int dim : {3, 2, 1, 0}) {
+    static constexpr std::array<const char*, 4> kKind{"Vertex", "Edge", "Face", "Solid"};
     int count = 0;
     const LeftOut* first = nullptr;
     for (const LeftOut& item : parts.provenance.left_out)
@@ -66,51 +64,52 @@ void note_left_out(ModelParts& parts) {
   }
 }
 
-/// Numbers, topology and facets of the solids as they are now.
-void add_entities(const ShapeMaps& as_read, const SolidSet& set, const ReadOptions& options,
-                  const StageLog& log, AssembledPart& part) {
-  part.parts.notes = set.notes;
-  part.numbering = number_entities(as_read, set, part.parts.notes);
-  const Numbering& numbering = part.numbering;
-  log("building the edges' curves");
-  for (int tag = 1; tag <= numbering.count(3); ++tag) BRepLib::BuildCurves3d(numbering.solid(tag));
-  log("analysing the topology");
-  fill_topology(numbering, part.parts);
-  log("triangulating the faces");
-  tessellate(numbering, options.facet_deflection, log, part.parts);
+/// The number as read of a solid of the healed set, 0: none.
+int number_of(const TopoDS_Shape& solid, const ShapeMaps& as_read, const SolidSet& healed) {
+  for (int number = 1; number <= as_read.of[3].Extent(); ++number)
+    for (const TopoDS_Shape& image : images_of(as_read.of[3](number), healed))
+      if (image.IsSame(solid)) return number;
+  return 0;
 }
 
-/// Volume within the facets of each region, by tag.
-std::vector<double> facet_volumes(const ModelParts& parts) {
-  std::vector<double> volume(parts.regions.size(), 0.0);
-  const Facets& facets = parts.facets;
-  for (std::size_t i = 0; i < facets.triangles.size(); ++i) {
-    const auto& [a, b, c] = facets.triangles[i];
-    const Vec3 origin = facets.nodes.front();
-    const double share =
-        (facets.nodes[a] - origin).dot((facets.nodes[b] - origin).cross(facets.nodes[c] - origin)) / 6.0;
-    const auto& region = parts.faces[facets.face[i]].region;
-    volume[region[0]] += share;
-    volume[region[1]] -= share;
+/// Parts of the tree with shells of which nothing is in the model.
+void tell_open_parts(const CadDocument& document, const ShapeMaps& as_read, ModelParts& parts) {
+  const std::vector<PartNode>& tree = parts.provenance.tree;
+  std::vector<bool> is_leaf(tree.size(), true);
+  for (const PartNode& node : tree)
+    if (node.parent >= 0) is_leaf[static_cast<std::size_t>(node.parent)] = false;
+  for (std::size_t i = 0; i < tree.size(); ++i) {
+    if (!is_leaf[i] || !tree[i].solids.empty() || !tree[i].regions.empty()) continue;
+    Fault fault = opening_of(document.tree[i].shape, as_read);
+    const std::string name = tree[i].name.empty() ? "a part without a name" : '"' + tree[i].name + '"';
+    fault.entity = {};
+    fault.cause = name + " is left out: it bounds no volume: " + fault.cause;
+    parts.faults.push_back(fault);
   }
-  return volume;
 }
 
-/// Turns solids that fill all space but a hole, where faces know one side only; returns whether there were
-/// any.
-bool turn_back(const AssembledPart& part, SolidSet& set) {
-  bool turned = false;
-  const std::vector<double> volume = facet_volumes(part.parts);
-  for (int region = 1; region < static_cast<int>(volume.size()); ++region) {
-    if (volume[region] >= 0.0) continue;
-    for (TopoDS_Shape& solid : set.solids) {
-      if (!solid.IsSame(part.numbering.solid(region))) continue;
-      solid.Reverse();
-      set.notes.push_back(inside_out_note(fmt::format("Solid {}", region)));
-      turned = true;
-    }
+/// What keeps a mesh of the part from being the whole part.
+void tell_faults(const JoinedSolids& joined, const ShapeMaps& as_read, const SolidSet& healed,
+                 ModelParts& parts) {
+  const auto region_text = [&](std::size_t tag) {
+    const std::string& name = parts.regions[tag].name;
+    return name.empty() ? fmt::format("Region {}", tag) : fmt::format("Region {} \"{}\"", tag, name);
+  };
+  for (const KeptApart& kept : joined.apart) {
+    Fault fault{model_region(static_cast<int>(kept.solid)), kept.place, "it is not joined with ", ""};
+    fault.cause +=
+        kept.other == kept.solid ? "what it touches" : region_text(kept.other) + " and what else it touches";
+    fault.cause += fmt::format(" ({})", kept.cause);
+    fault.advice = "mend the solids where they meet, or accept that none are joined with --no-fuse";
+    parts.faults.push_back(fault);
   }
-  return turned;
+  for (const LostSolid& lost : joined.lost) {
+    const int number = number_of(lost.solid, as_read, healed);
+    Fault fault{{}, middle_of(lost.solid), "", "mend it in the CAD system; the others are meshed without it"};
+    fault.cause = fmt::format("{} is left out: {}", number > 0 ? solid_text(parts, number) : "a sewn solid",
+                              lost.cause);
+    parts.faults.push_back(fault);
+  }
 }
 
 }  // namespace
@@ -119,29 +118,20 @@ OcctLock::OcctLock() { occt_mutex().lock(); }
 OcctLock::~OcctLock() { occt_mutex().unlock(); }
 
 AssembledPart assemble(const CadDocument& document, const ReadOptions& options, const StageLog& log) {
-  AssembledPart part;
-  ModelParts& parts = part.parts;
   const ShapeMaps as_read(document.shape);
   log("collecting the solids");
-  SolidSet set = collect_solids(document.shape, as_read, options.sew_tolerance);
-  heal(as_read, options.sew_tolerance, log, set);
-  if (options.fuse) {
-    log(fmt::format("fusing {} solid(s) that may touch", set.solids.size()));
-    fuse_touching(set);
-  }
-  add_entities(as_read, set, options, log, part);
-  if (turn_back(part, set)) {
-    parts = {};
-    add_entities(as_read, set, options, log, part);
-  }
-  const Numbering& numbering = part.numbering;
+  SolidSet healed = collect_solids(document.shape, as_read, options.sew_tolerance);
+  heal(as_read, options.sew_tolerance, log, healed);
+  JoinedSolids joined = join_solids(as_read, healed, options, log);
+  ModelParts& parts = joined.part.parts;
   parts.unit = document.unit;
-  log("measuring the entities");
-  measure(numbering, parts);
-  mark_entities(document, as_read, numbering, parts);
+  parts.apart = !joined.apart.empty() || (!options.fuse && parts.regions.size() > 2);
+  mark_entities(document, as_read, joined.part.numbering, parts);
+  tell_faults(joined, as_read, healed, parts);
+  tell_open_parts(document, as_read, parts);
   note_overlaps(parts);
   note_left_out(parts);
-  return part;
+  return std::move(joined.part);
 }
 
 }  // namespace octet

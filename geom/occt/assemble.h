@@ -24,7 +24,8 @@ struct AssembledPart {
   ModelParts parts;
 };
 
-/// Solids, numbers, topology, measures and facets. Triangulates document.shape in place. Under OcctLock.
+/// Solids, numbers, topology, measures, facets and marks. Triangulates document.shape in place. Under
+/// OcctLock.
 [[nodiscard]] AssembledPart assemble(const CadDocument& document, const ReadOptions& options,
                                      const StageLog& log);
 

@@ -14,7 +14,6 @@
 #include <ShapeFix_Edge.hxx>
 #include <ShapeFix_Shell.hxx>
 #include <TopExp_Explorer.hxx>
-#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
@@ -22,47 +21,12 @@
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
 
+#include "geom/occt/edge_uses.h"
 #include "geom/occt/sew.h"
 #include "geom/occt/strips.h"
 
 namespace octet {
 namespace {
-
-/// How often one edge of a solid is used in either direction.
-struct Uses {
-  int forward = 0, reversed = 0;
-  [[nodiscard]] bool open() const { return forward + reversed == 1; }
-  [[nodiscard]] bool turned() const { return forward + reversed == 2 && forward != 1; }
-};
-
-struct EdgeUses {
-  TopTools_IndexedMapOfShape edges;
-  std::vector<Uses> uses;  ///< by index, [0] unused
-  [[nodiscard]] int first(bool (Uses::*wrong)() const) const {
-    for (std::size_t i = 1; i < uses.size(); ++i)
-      if ((uses[i].*wrong)()) return static_cast<int>(i);
-    return 0;
-  }
-};
-
-EdgeUses edge_uses(const TopoDS_Shape& solid) {
-  EdgeUses result;
-  result.uses.resize(1);
-  for (TopExp_Explorer faces(solid, TopAbs_FACE); faces.More(); faces.Next()) {
-    // A face inside a solid bounds it on neither side.
-    const TopAbs_Orientation way = faces.Current().Orientation();
-    if (way == TopAbs_INTERNAL || way == TopAbs_EXTERNAL) continue;
-    for (TopExp_Explorer it(faces.Current(), TopAbs_EDGE); it.More(); it.Next()) {
-      const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
-      if (BRep_Tool::Degenerated(edge)) continue;
-      const auto index = static_cast<std::size_t>(result.edges.Add(edge));
-      if (index == result.uses.size()) result.uses.emplace_back();
-      result.uses[index].forward += edge.Orientation() == TopAbs_FORWARD ? 1 : 0;
-      result.uses[index].reversed += edge.Orientation() == TopAbs_REVERSED ? 1 : 0;
-    }
-  }
-  return result;
-}
 
 class Healer {
  public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What no tag came of, from faces down.
+// What no tag came of, from solids down.
 #include "geom/occt/left_out.h"
 
 #include <BRepGProp.hxx>
@@ -17,9 +17,9 @@
 namespace octet {
 namespace {
 
-constexpr TopAbs_ShapeEnum kTypes[3] = {TopAbs_VERTEX, TopAbs_EDGE, TopAbs_FACE};
+constexpr TopAbs_ShapeEnum kTypes[4] = {TopAbs_VERTEX, TopAbs_EDGE, TopAbs_FACE, TopAbs_SOLID};
 
-/// Area or length and centre of mass; a vertex where there is neither (infinite or damaged entities).
+/// Volume, area or length and centre of mass; a vertex where there is neither (infinite or damaged entities).
 void measure(int dim, const TopoDS_Shape& shape, LeftOut& item) {
   if (const TopExp_Explorer vertex(shape, TopAbs_VERTEX); vertex.More())
     item.place = to_vec(BRep_Tool::Pnt(TopoDS::Vertex(vertex.Current())));
@@ -28,8 +28,10 @@ void measure(int dim, const TopoDS_Shape& shape, LeftOut& item) {
     GProp_GProps properties;
     if (dim == 1)
       BRepGProp::LinearProperties(shape, properties);
-    else
+    else if (dim == 2)
       BRepGProp::SurfaceProperties(shape, properties);
+    else
+      BRepGProp::VolumeProperties(shape, properties);
     const Vec3 centre = to_vec(properties.CentreOfMass());
     if (!std::isfinite(properties.Mass()) || !(centre.norm() < Precision::Infinite())) return;
     item.measure = std::abs(properties.Mass());
@@ -44,7 +46,7 @@ void measure(int dim, const TopoDS_Shape& shape, LeftOut& item) {
 std::vector<LeftOut> left_out(const ShapeMaps& as_read, const Numbering& numbering) {
   std::vector<LeftOut> items;
   TopTools_MapOfShape told;
-  for (int dim = 2; dim >= 0; --dim)
+  for (int dim = 3; dim >= 0; --dim)
     for (int number = 1; number <= as_read.of[dim].Extent(); ++number) {
       const TopoDS_Shape& shape = as_read.of[dim](number);
       if (!numbering.became[dim][static_cast<std::size_t>(number)].empty() || told.Contains(shape)) continue;

@@ -58,6 +58,12 @@ void pass(auto& stream, auto& item) requires
   stream(entity, name, measure, place);
 }
 
+void pass(auto& stream, auto& fault) requires
+    std::is_same_v<std::remove_const_t<std::remove_reference_t<decltype(fault)>>, Fault> {
+  auto& [entity, place, cause, advice] = fault;
+  stream(entity, place, cause, advice);
+}
+
 void pass_facets(auto& stream, auto& facets) {
   auto& [nodes, triangles, face, uv, deviation, edge_deviation] = facets;
   stream(nodes, triangles, face, uv, deviation, edge_deviation);
@@ -83,13 +89,15 @@ void pass_provenance(auto& stream, auto& provenance) {
 }
 
 void pass_parts(auto& stream, auto& parts) {
-  auto& [vertices, edges, faces, regions, curves, surfaces, trims, facets, unit, notes, provenance] = parts;
+  auto& [vertices, edges, faces, regions, curves, surfaces, trims, facets, unit, apart, notes, faults,
+         provenance] = parts;
   pass_entities(stream, vertices);
   pass_entities(stream, edges);
   pass_entities(stream, faces);
   pass_entities(stream, regions);
   pass_facets(stream, facets);
-  stream(unit, notes);
+  stream(unit, apart, notes);
+  pass_entities(stream, faults);
   pass_provenance(stream, provenance);
 }
 

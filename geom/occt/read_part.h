@@ -13,8 +13,8 @@ namespace octet {
 struct ReadOptions {
   double facet_deflection =
       0.0;  ///< model units; 0: chosen from the part (diagonal / 2000, finer where curved)
-  /// Faces that are loose, or leave a solid open, are sewn within this distance (mm). 0: by growing ones, up to
-  /// a ten-thousandth of the faces' diagonal.
+  /// Faces that are loose, or leave a solid open, are sewn within this distance (mm). 0: by growing ones, up
+  /// to a ten-thousandth of the faces' diagonal.
   double sew_tolerance = 0.0;
   /// OCCT may hang, crash or take all memory on a damaged part: it works in a child process, so that this one
   /// gets an InputError instead. False: in this process and without limits (for debuggers).

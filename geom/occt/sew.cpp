@@ -2,19 +2,18 @@
 // Loose faces sewn to closed shells.
 #include "geom/occt/sew.h"
 
-#include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepLib.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
-#include <Bnd_Box.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopTools_MapOfShape.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Solid.hxx>
-#include <cmath>
+
+#include "geom/occt/shape_box.h"
 
 namespace octet {
 namespace {
@@ -26,12 +25,6 @@ TopoDS_Shape solid_from_shell(const TopoDS_Shape& shell) {
   builder.Add(solid, shell.Oriented(TopAbs_FORWARD));
   BRepLib::OrientClosedSolid(solid);
   return solid;
-}
-
-double diagonal_of(const TopoDS_Shape& shape) {
-  Bnd_Box box;
-  BRepBndLib::Add(shape, box, false);
-  return box.IsVoid() ? 0.0 : std::sqrt(box.SquareExtent());
 }
 
 void add_history(const BRepBuilderAPI_Sewing& sewing, const TopoDS_Shape& compound,
@@ -66,7 +59,7 @@ Sewn sew_faces(const std::vector<TopoDS_Shape>& faces, double tolerance) {
   for (const TopoDS_Shape& face : faces) builder.Add(compound, face);
   std::vector<double> tolerances = {tolerance};
   if (tolerance <= 0.0) {
-    const double diagonal = diagonal_of(compound);
+    const double diagonal = diagonal_of(box_of(compound));
     tolerances = {1e-7 * diagonal, 1e-6 * diagonal, 1e-5 * diagonal, 1e-4 * diagonal};
   }
   Sewn best;

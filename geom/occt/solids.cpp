@@ -13,6 +13,8 @@
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Vertex.hxx>
+#include <algorithm>
+#include <limits>
 
 #include "base/error.h"
 #include "geom/occt/sew.h"
@@ -40,22 +42,47 @@ gp_Pnt place_of(const TopoDS_Edge& edge) {
   return vertex.IsNull() ? gp_Pnt() : BRep_Tool::Pnt(vertex);
 }
 
-[[noreturn]] void throw_open(const TopoDS_Shape& shape, const ShapeMaps& maps) {
+/// Points along an edge, the ends among them; none where it has no curve.
+std::vector<gp_Pnt> points_along(const TopoDS_Edge& edge) {
+  constexpr int kPieces = 16;
+  double first = 0.0, last = 0.0;
+  const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, first, last);
+  std::vector<gp_Pnt> points;
+  for (int i = 0; i <= kPieces && !curve.IsNull(); ++i)
+    points.push_back(curve->Value(first + (last - first) * i / kPieces));
+  return points;
+}
+
+/// How far the middle of the edge is from the nearest of the others, by points along them.
+double gap_at(const TopoDS_Edge& edge, const std::vector<TopoDS_Edge>& others) {
+  const gp_Pnt middle = place_of(edge);
+  double least = std::numeric_limits<double>::infinity();
+  for (const TopoDS_Edge& other : others) {
+    if (other.IsSame(edge)) continue;
+    for (const gp_Pnt& point : points_along(other)) least = std::min(least, middle.Distance(point));
+  }
+  return least;
+}
+
+std::vector<TopoDS_Edge> free_edges(const TopoDS_Shape& shape) {
   TopTools_IndexedDataMapOfShapeListOfShape faces_of;
   TopExp::MapShapesAndAncestors(shape, TopAbs_EDGE, TopAbs_FACE, faces_of);
-  for (int i = 1; i <= maps.of[1].Extent(); ++i) {
-    const TopoDS_Edge& edge = TopoDS::Edge(maps.of[1](i));
-    if (BRep_Tool::Degenerated(edge) || !faces_of.Contains(edge)) continue;
-    const TopTools_ListOfShape& faces = faces_of.FindFromKey(edge);
-    if (faces.Extent() != 1 || BRep_Tool::IsClosed(edge, TopoDS::Face(faces.First()))) continue;
-    const gp_Pnt at = place_of(edge);
-    throw ModelError(
-        fmt::format("the part bounds no volume: Edge {} of Face {} is free (at {:.6g}, {:.6g}, {:.6g}); "
-                    "close the shell or sew its faces",
-                    i, maps.of[2].FindIndex(faces.First()), at.X(), at.Y(), at.Z()),
-        model_edge(i));
+  std::vector<TopoDS_Edge> edges;
+  for (int i = 1; i <= faces_of.Extent(); ++i) {
+    const TopoDS_Edge& edge = TopoDS::Edge(faces_of.FindKey(i));
+    const TopTools_ListOfShape& faces = faces_of(i);
+    if (BRep_Tool::Degenerated(edge) || faces.Extent() != 1) continue;
+    if (!BRep_Tool::IsClosed(edge, TopoDS::Face(faces.First()))) edges.push_back(edge);
   }
-  throw ModelError("the part bounds no volume: it holds no solid and no closed shell", {});
+  return edges;
+}
+
+/// Number as read of the first face of `shape` that has the edge.
+int face_with(const TopoDS_Shape& shape, const TopoDS_Edge& edge, const ShapeMaps& maps) {
+  for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next())
+    for (TopExp_Explorer it(face.Current(), TopAbs_EDGE); it.More(); it.Next())
+      if (it.Current().IsSame(edge)) return maps.of[2].FindIndex(face.Current());
+  return 0;
 }
 
 }  // namespace
@@ -70,6 +97,33 @@ TopTools_ListOfShape images_of(const TopoDS_Shape& shape, const SolidSet& set) {
   if (BRepTools_History::IsSupportedType(shape)) images = set.history->Modified(shape);
   if (images.IsEmpty() && !set.history->IsRemoved(shape)) images.Append(shape);
   return images;
+}
+
+Fault opening_of(const TopoDS_Shape& shape, const ShapeMaps& as_read) {
+  Fault fault;
+  fault.cause = "it holds no solid and no closed shell";
+  const std::vector<TopoDS_Edge> edges = free_edges(shape);
+  if (edges.empty()) return fault;
+  constexpr std::size_t kMeasured = 500;  // free edges: each is compared with each
+  double widest = -1.0;
+  const TopoDS_Edge* worst = nullptr;
+  for (std::size_t i = 0; i < std::min(edges.size(), kMeasured); ++i) {
+    const double gap = edges.size() > 1 ? gap_at(edges[i], edges) : 0.0;
+    if (gap <= widest) continue;
+    widest = gap;
+    worst = &edges[i];
+  }
+  const gp_Pnt at = place_of(*worst);
+  const int number = as_read.of[1].FindIndex(*worst);
+  fault.entity = model_edge(number);
+  fault.place = Vec3(at.X(), at.Y(), at.Z());
+  fault.cause = fmt::format("Edge {} of Face {} is free (at {:.6g}, {:.6g}, {:.6g})", number,
+                            face_with(shape, *worst, as_read), at.X(), at.Y(), at.Z());
+  if (edges.size() > 1)
+    fault.cause += fmt::format(", one of {} free edges and the farthest from any other, {:.3g} mm",
+                               edges.size(), widest);
+  fault.advice = "close the shell, or sew its faces with --sew";
+  return fault;
 }
 
 SolidSet collect_solids(const TopoDS_Shape& shape, const ShapeMaps& as_read, double sew_tolerance) {
@@ -93,7 +147,12 @@ SolidSet collect_solids(const TopoDS_Shape& shape, const ShapeMaps& as_read, dou
       set.solids.insert(set.solids.end(), sewn.solids.begin(), sewn.solids.end());
     }
   }
-  if (set.solids.empty()) throw_open(shape, as_read);
+  if (set.solids.empty()) {
+    const Fault opening = opening_of(shape, as_read);
+    throw ModelError(
+        "the part bounds no volume: " + opening.cause + (opening.advice.empty() ? "" : "; " + opening.advice),
+        opening.entity);
+  }
   return set;
 }
 

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "base/fault.h"
+
 namespace octet {
 
 /// Entity maps of a shape by dimension: vertices, edges, faces, solids, in the order FreeCAD and Gmsh show.
@@ -27,12 +29,13 @@ struct SolidSet {
 /// What became of an entity of the shape as read; itself where nothing did, nothing where it was removed.
 [[nodiscard]] TopTools_ListOfShape images_of(const TopoDS_Shape& shape, const SolidSet& set);
 
+/// Why `shape`, a part of the shape as read, bounds no volume: of its free edges the one that is farthest
+/// from all others, numbered as read.
+[[nodiscard]] Fault opening_of(const TopoDS_Shape& shape, const ShapeMaps& as_read);
+
 /// Closed shells become solids, loose faces are sewn (sew_faces()). `shape` is not changed.
 /// ModelError: nothing in it bounds a volume (names the first free edge, a face of it and its place).
 [[nodiscard]] SolidSet collect_solids(const TopoDS_Shape& shape, const ShapeMaps& as_read,
                                       double sew_tolerance);
-
-/// General fuse of the solids that touch; those apart from all others are left alone.
-void fuse_touching(SolidSet& set);
 
 }  // namespace octet

@@ -15,6 +15,7 @@
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
+#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <GeomAPI_PointsToBSpline.hxx>
 #include <Geom_BSplineCurve.hxx>
@@ -30,8 +31,11 @@
 #include <TDataStd_Name.hxx>
 #include <TDocStd_Document.hxx>
 #include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Shell.hxx>
+#include <TopoDS_Solid.hxx>
 #include <XCAFApp_Application.hxx>
 #include <XCAFDoc_ColorTool.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
@@ -163,11 +167,11 @@ Handle(TCollection_HAsciiString) ascii(const char* text) { return new TCollectio
 /// An XCAF document under construction.
 class Assembly {
  public:
-  explicit Assembly(const char* name) {
+  explicit Assembly(const std::string& name) {
     XCAFApp_Application::GetApplication()->NewDocument("BinXCAF", document_);
     shapes_ = XCAFDoc_DocumentTool::ShapeTool(document_->Main());
     top_ = shapes_->NewShape();
-    TDataStd_Name::Set(top_, name);
+    TDataStd_Name::Set(top_, name.c_str());
   }
 
   TDF_Label part(const TopoDS_Shape& shape, const char* name, const Quantity_Color& colour) {
@@ -193,10 +197,10 @@ class Assembly {
     XCAFDoc_DocumentTool::LayerTool(document_->Main())->SetLayer(part, TCollection_ExtendedString(name));
   }
 
-  TDF_Label face(const TDF_Label& part, int number, const char* name, const Quantity_Color& colour) {
+  TDF_Label last_face(const TDF_Label& part, const char* name, const Quantity_Color& colour) {
     TopTools_IndexedMapOfShape faces;
     TopExp::MapShapes(XCAFDoc_ShapeTool::GetShape(part), TopAbs_FACE, faces);
-    const TDF_Label label = shapes_->AddSubShape(part, faces(number));
+    const TDF_Label label = shapes_->AddSubShape(part, faces(faces.Extent()));
     TDataStd_Name::Set(label, name);
     XCAFDoc_DocumentTool::ColorTool(document_->Main())->SetColor(label, colour, XCAFDoc_ColorSurf);
     return label;
@@ -222,13 +226,25 @@ class Assembly {
   TDF_Label top_;
 };
 
+/// A box without its first face.
+TopoDS_Shape open_box(double x, double y, double z) {
+  const BRep_Builder builder;
+  TopoDS_Shell shell;
+  builder.MakeShell(shell);
+  TopExp_Explorer face(BRepPrimAPI_MakeBox(x, y, z).Shape(), TopAbs_FACE);
+  for (face.Next(); face.More(); face.Next()) builder.Add(shell, face.Current());
+  TopoDS_Solid solid;
+  builder.MakeSolid(solid);
+  builder.Add(solid, shell);
+  return solid;
+}
+
 /// A plate 40 x 20 x 4 with a block 12 x 12 x 8 and two pins of radius 2 and length 10 standing on it.
-bool write_fixture(const std::string& directory) {
-  Assembly fixture("fixture");
+bool write_fixture(const std::string& directory, const std::string& name, const TopoDS_Shape& block_shape) {
+  Assembly fixture(name);
   const TDF_Label plate = fixture.part(BRepPrimAPI_MakeBox(40, 20, 4).Shape(), "plate",
                                        Quantity_Color(0, 0, 1, Quantity_TOC_RGB));
-  const TDF_Label block = fixture.part(BRepPrimAPI_MakeBox(12, 12, 8).Shape(), "block",
-                                       Quantity_Color(0, 1, 0, Quantity_TOC_RGB));
+  const TDF_Label block = fixture.part(block_shape, "block", Quantity_Color(0, 1, 0, Quantity_TOC_RGB));
   const TDF_Label pin =
       fixture.part(BRepPrimAPI_MakeCylinder(2, 10).Shape(), "pin", Quantity_Color(1, 1, 0, Quantity_TOC_RGB));
   fixture.use(plate, "plate:1", gp_Vec(0, 0, 0));
@@ -238,8 +254,8 @@ bool write_fixture(const std::string& directory) {
   fixture.material(plate, "steel", 7.85);
   fixture.material(block, "aluminium", 2.7);
   fixture.layer(pin, "hardware");
-  fixture.face(block, 6, "seat", Quantity_Color(1, 0, 0, Quantity_TOC_RGB));
-  return fixture.write(directory, "fixture");
+  fixture.last_face(block, "seat", Quantity_Color(1, 0, 0, Quantity_TOC_RGB));
+  return fixture.write(directory, name);
 }
 
 /// Small parts on which attribute points once ran away, or of which nothing was left: an edge over a face
@@ -274,6 +290,8 @@ int main(int argc, char** argv) {
                     write(cut(centred, ball), directory, "box_minus_ball") &&
                     write(cut(plate, cylinder(20, 15, -1, gp::DZ(), 6, 3)), directory, "plate_with_hole") &&
                     write(blade(), directory, "blade") && write(l_domain(), directory, "l_domain") &&
-                    write_fixture(directory) && write_bugs(directory + "/bugs");
+                    write_fixture(directory, "fixture", BRepPrimAPI_MakeBox(12, 12, 8).Shape()) &&
+                    write_fixture(directory, "fixture_open_block", open_box(12, 12, 8)) &&
+                    write_bugs(directory + "/bugs");
   return done ? 0 : 1;
 }

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// General fuse of solids that touch, so that what they share is one entity.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "base/vec.h"
+#include "geom/occt/solids.h"
+
+namespace octet {
+
+/// A solid that is not joined with those it touches.
+struct KeptApart {
+  std::size_t solid = 0;      ///< index in the set before the fuse
+  std::size_t other = 0;      ///< the solid it is at odds with; itself: none
+  Vec3 place = Vec3::Zero();  ///< where
+  std::string cause;          ///< completes "is not joined with what it touches: "
+};
+
+/// Fuses each group of solids whose boxes meet. Solids in `apart` stay as they are, with faces, edges and
+/// vertices of their own; so do those that are not closed. Where a fuse leaves a solid open, or two solids on
+/// one side of a face, it is tried again with a tolerance, and then without the solids to blame, which are
+/// appended to `apart`.
+void fuse_touching(SolidSet& set, std::vector<KeptApart>& apart);
+
+}  // namespace octet

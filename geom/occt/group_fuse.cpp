@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One general fuse of a group of solids, and what is wrong with its result.
+#include "geom/occt/group_fuse.h"
+
+#include <fmt/format.h>
+
+#include <BRepGProp.hxx>
+#include <GProp_GProps.hxx>
+#include <Message_Alert.hxx>
+#include <Message_Report.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopTools_ListOfShape.hxx>
+#include <TopTools_MapOfShape.hxx>
+#include <cmath>
+#include <map>
+#include <string_view>
+
+#include "geom/occt/edge_uses.h"
+#include "geom/occt/shape_box.h"
+
+namespace octet {
+namespace {
+
+const char* meaning_of(std::string_view alert) {
+  if (alert == "BOPAlgo_AlertSelfInterferingShape") return "shape(s) that cross themselves";
+  if (alert == "BOPAlgo_AlertAcquiredSelfIntersection")
+    return "shape(s) that would cross themselves once fused";
+  if (alert == "BOPAlgo_AlertIntersectionOfPairOfShapesFailed")
+    return "pair(s) that could not be intersected";
+  if (alert == "BOPAlgo_AlertTooSmallEdge") return "edge(s) too small to stay";
+  if (alert == "BOPAlgo_AlertUnableToOrientTheShell") return "shell(s) without orientation";
+  return nullptr;
+}
+
+bool is_inside(TopAbs_Orientation way) { return way == TopAbs_INTERNAL || way == TopAbs_EXTERNAL; }
+
+bool has_inside_faces(const TopoDS_Shape& solid) {
+  for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next())
+    if (is_inside(it.Current().Orientation())) return true;
+  return false;
+}
+
+/// The solids that each face bounds, and on which side.
+class FaceSides {
+ public:
+  void add(std::size_t solid, const TopoDS_Shape& image, bool with_inside) {
+    for (TopExp_Explorer it(image, TopAbs_FACE); it.More(); it.Next()) {
+      const TopAbs_Orientation way = it.Current().Orientation();
+      if (is_inside(way) && !with_inside) continue;
+      const auto index = static_cast<std::size_t>(faces_.Add(it.Current()));
+      if (index > sides_.size()) sides_.emplace_back();
+      sides_[index - 1].push_back({solid, way});
+    }
+  }
+
+  void find_conflicts(std::vector<FuseConflict>& conflicts) const {
+    for (std::size_t f = 0; f < sides_.size(); ++f) {
+      const auto& sides = sides_[f];
+      const Vec3 place = middle_of(faces_(static_cast<int>(f) + 1));
+      for (std::size_t a = 0; a < sides.size(); ++a) {
+        if (is_inside(sides[a].way))
+          conflicts.push_back({{sides[a].solid, sides[a].solid}, place, "it would hold faces of others"});
+        for (std::size_t b = a + 1; b < sides.size(); ++b)
+          if (sides[a].way == sides[b].way)
+            conflicts.push_back({{sides[a].solid, sides[b].solid},
+                                 place,
+                                 "both would lie on one side of a face: they overlap by about their "
+                                 "tolerances"});
+      }
+    }
+  }
+
+ private:
+  struct Side {
+    std::size_t solid;
+    TopAbs_Orientation way;
+  };
+  TopTools_IndexedMapOfShape faces_;
+  std::vector<std::vector<Side>> sides_;  ///< by index - 1
+};
+
+int count_thin_overlaps(const std::vector<std::vector<TopoDS_Shape>>& images, double thin) {
+  TopTools_IndexedDataMapOfShapeListOfShape owners;
+  for (const auto& own : images)
+    for (const TopoDS_Shape& image : own) {
+      if (!owners.Contains(image)) owners.Add(image, {});
+      owners.ChangeFromKey(image).Append(image);
+    }
+  int count = 0;
+  for (int i = 1; i <= owners.Extent(); ++i) {
+    if (owners(i).Extent() < 2) continue;
+    GProp_GProps volume, area;
+    BRepGProp::VolumeProperties(owners.FindKey(i), volume);
+    BRepGProp::SurfaceProperties(owners.FindKey(i), area);
+    count += 2.0 * std::abs(volume.Mass()) < thin * area.Mass() ? 1 : 0;
+  }
+  return count;
+}
+
+}  // namespace
+
+GroupFuse::GroupFuse(const std::vector<TopoDS_Shape>& solids, double tolerance, double thin)
+    : tolerance_(tolerance) {
+  for (const TopoDS_Shape& solid : solids) builder_.AddArgument(solid);
+  builder_.SetNonDestructive(true);
+  builder_.SetRunParallel(false);
+  if (tolerance > 0.0) builder_.SetFuzzyValue(tolerance);
+  builder_.Perform();
+  failed_ = builder_.HasErrors();
+  if (failed_) return;
+  history_ = builder_.History();
+  for (const TopoDS_Shape& solid : solids) images_.push_back(images_of(solid));
+  find_conflicts(solids);
+  thin_overlaps_ = count_thin_overlaps(images_, thin);
+}
+
+std::vector<std::string> GroupFuse::warnings() const {
+  std::map<std::string, int> counts;
+  for (const Handle(Message_Alert) & alert : builder_.GetReport()->GetAlerts(Message_Warning))
+    ++counts[alert->GetMessageKey()];
+  std::vector<std::string> texts;
+  for (const auto& [key, count] : counts) {
+    const char* meaning = meaning_of(key);
+    texts.push_back(
+        fmt::format("general fuse warns of {} {}", count, meaning != nullptr ? meaning : key.c_str()));
+  }
+  return texts;
+}
+
+std::vector<TopoDS_Shape> GroupFuse::images_of(const TopoDS_Shape& solid) const {
+  const TopTools_ListOfShape& made = history_->Modified(solid);
+  if (made.IsEmpty())
+    return history_->IsRemoved(solid) ? std::vector<TopoDS_Shape>() : std::vector<TopoDS_Shape>{solid};
+  std::vector<TopoDS_Shape> result;
+  for (const TopoDS_Shape& image : made)
+    if (image.ShapeType() == TopAbs_SOLID) result.push_back(image);
+  return result;
+}
+
+void GroupFuse::find_conflicts(const std::vector<TopoDS_Shape>& solids) {
+  TopTools_MapOfShape seen;
+  FaceSides sides;
+  for (std::size_t i = 0; i < solids.size(); ++i) {
+    const bool was_open = edge_uses(solids[i]).first(&Uses::open) != 0;
+    const bool had_inside = has_inside_faces(solids[i]);
+    if (images_[i].empty())
+      conflicts_.push_back({{i, i}, middle_of(solids[i]), "nothing would be left of it"});
+    for (const TopoDS_Shape& image : images_[i]) {
+      if (!seen.Add(image)) continue;
+      if (!was_open) find_opening(i, image);
+      sides.add(i, image, !had_inside);
+    }
+  }
+  sides.find_conflicts(conflicts_);
+}
+
+void GroupFuse::find_opening(std::size_t solid, const TopoDS_Shape& image) {
+  const EdgeUses uses = edge_uses(image);
+  if (const int edge = uses.first(&Uses::open); edge != 0)
+    conflicts_.push_back({{solid, solid}, middle_of(uses.edges(edge)), "it would not be closed"});
+}
+
+}  // namespace octet

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One general fuse of a group of solids, and what is wrong with its result.
+#pragma once
+
+#include <BOPAlgo_Builder.hxx>
+#include <BRepTools_History.hxx>
+#include <TopoDS_Shape.hxx>
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "base/vec.h"
+
+namespace octet {
+
+/// Something of a fuse that is not as it should be, and the solids to blame: indices in the group, one twice
+/// where it is to blame alone.
+struct FuseConflict {
+  std::array<std::size_t, 2> solids{0, 0};
+  Vec3 place = Vec3::Zero();
+  std::string cause;
+};
+
+class GroupFuse {
+ public:
+  /// `thin`: what two solids fill together is noise when it is thinner than this.
+  GroupFuse(const std::vector<TopoDS_Shape>& solids, double tolerance, double thin);
+
+  [[nodiscard]] bool failed() const { return failed_; }
+  [[nodiscard]] bool sound() const { return !failed_ && conflicts_.empty(); }
+  /// Solids left open or without anything, two on one side of a face, faces of others inside of one.
+  [[nodiscard]] const std::vector<FuseConflict>& conflicts() const { return conflicts_; }
+  [[nodiscard]] int thin_overlaps() const { return thin_overlaps_; }
+  [[nodiscard]] double tolerance() const { return tolerance_; }
+  [[nodiscard]] const Handle(BRepTools_History) & history() const { return history_; }
+  /// What became of each solid of the group; those in two lists are overlaps.
+  [[nodiscard]] const std::vector<std::vector<TopoDS_Shape>>& images() const { return images_; }
+  /// What the fuse could not do as it should, in words: where the mesh fails later, this is why.
+  [[nodiscard]] std::vector<std::string> warnings() const;
+
+ private:
+  [[nodiscard]] std::vector<TopoDS_Shape> images_of(const TopoDS_Shape& solid) const;
+  void find_conflicts(const std::vector<TopoDS_Shape>& solids);
+  void find_opening(std::size_t solid, const TopoDS_Shape& image);
+
+  double tolerance_;
+  BOPAlgo_Builder builder_;
+  bool failed_ = false;
+  Handle(BRepTools_History) history_;
+  std::vector<std::vector<TopoDS_Shape>> images_;
+  std::vector<FuseConflict> conflicts_;
+  int thin_overlaps_ = 0;
+};
+
+}  // namespace octet

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Attempts, each with one solid less to join or to keep, until one succeeds.
+#include "geom/occt/join_solids.h"
+
+#include <fmt/format.h>
+
+#include <BRepLib.hxx>
+#include <TopExp.hxx>
+#include <algorithm>
+#include <optional>
+
+#include "base/error.h"
+#include "geom/occt/heal.h"
+#include "geom/occt/measure.h"
+#include "geom/occt/shape_box.h"
+#include "geom/occt/tessellate.h"
+#include "geom/occt/topology.h"
+
+namespace octet {
+namespace {
+
+/// Volume within the facets of each region, by tag.
+std::vector<double> facet_volumes(const ModelParts& parts) {
+  std::vector<double> volume(parts.regions.size(), 0.0);
+  const Facets& facets = parts.facets;
+  for (std::size_t i = 0; i < facets.triangles.size(); ++i) {
+    const auto& [a, b, c] = facets.triangles[i];
+    const Vec3 origin = facets.nodes.front();
+    const double share =
+        (facets.nodes[a] - origin).dot((facets.nodes[b] - origin).cross(facets.nodes[c] - origin)) / 6.0;
+    const auto& region = parts.faces[facets.face[i]].region;
+    volume[region[0]] += share;
+    volume[region[1]] -= share;
+  }
+  return volume;
+}
+
+/// Turns solids that fill all space but a hole, where faces know one side only; returns whether there were
+/// any.
+bool turn_back(const AssembledPart& part, SolidSet& set) {
+  bool turned = false;
+  const std::vector<double> volume = facet_volumes(part.parts);
+  for (int region = 1; region < static_cast<int>(volume.size()); ++region) {
+    if (volume[region] >= 0.0) continue;
+    for (TopoDS_Shape& solid : set.solids) {
+      if (!solid.IsSame(part.numbering.solid(region))) continue;
+      solid.Reverse();
+      set.notes.push_back(inside_out_note(fmt::format("Solid {}", region)));
+      turned = true;
+    }
+  }
+  return turned;
+}
+
+bool has_part(const TopoDS_Shape& solid, const TopoDS_Shape& entity) {
+  TopTools_IndexedMapOfShape parts;
+  TopExp::MapShapes(solid, entity.ShapeType(), parts);
+  return parts.Contains(entity);
+}
+
+class Joiner {
+ public:
+  Joiner(const ShapeMaps& as_read, SolidSet healed, const ReadOptions& options, const StageLog& log)
+      : as_read_(as_read), healed_(std::move(healed)), options_(options), log_(log) {}
+
+  JoinedSolids run() {
+    while (!succeeds()) {
+    }
+    for (KeptApart& kept : apart_) {
+      kept.solid = tag_of(kept.solid);
+      kept.other = tag_of(kept.other);
+    }
+    return {std::move(part_), std::move(apart_), std::move(lost_)};
+  }
+
+ private:
+  bool succeeds() {
+    try {
+      attempt();
+      return true;
+    } catch (const ModelError& error) {
+      const std::optional<std::size_t> solid = culprit(error);
+      if (!solid) throw;
+      const bool is_apart = std::any_of(apart_.begin(), apart_.end(),
+                                        [&](const KeptApart& kept) { return kept.solid == *solid; });
+      if (joined_.history->HasModified() && !is_apart) {
+        apart_.push_back({*solid, *solid, middle_of(healed_.solids[*solid]), error.what()});
+      } else if (healed_.solids.size() > 1) {
+        leave_out(*solid, error.what());
+      } else {
+        throw;
+      }
+      return false;
+    }
+  }
+
+  void attempt() {
+    part_ = {};
+    joined_ = {healed_.solids, new BRepTools_History(), {}};
+    if (options_.fuse && healed_.solids.size() > 1) {
+      log_(fmt::format("fusing {} solid(s) that may touch", healed_.solids.size()));
+      fuse_touching(joined_, apart_);
+    }
+    SolidSet all{joined_.solids, new BRepTools_History(), healed_.notes};
+    all.history->Merge(healed_.history);
+    all.history->Merge(joined_.history);
+    all.notes.insert(all.notes.end(), joined_.notes.begin(), joined_.notes.end());
+    add_entities(all);
+    if (turn_back(part_, all)) {
+      part_ = {};
+      add_entities(all);
+    }
+    log_("measuring the entities");
+    measure(part_.numbering, part_.parts);
+  }
+
+  /// Numbers, topology and facets of the solids as they are now.
+  void add_entities(const SolidSet& set) {
+    part_.parts.notes = set.notes;
+    part_.numbering = number_entities(as_read_, set, part_.parts.notes);
+    const Numbering& numbering = part_.numbering;
+    log_("building the edges' curves");
+    for (int tag = 1; tag <= numbering.count(3); ++tag) BRepLib::BuildCurves3d(numbering.solid(tag));
+    log_("analysing the topology");
+    fill_topology(numbering, part_.parts);
+    log_("triangulating the faces");
+    tessellate(numbering, options_.facet_deflection, log_, part_.parts);
+  }
+
+  /// The first solid that holds the entity the error names.
+  [[nodiscard]] std::optional<std::size_t> culprit(const ModelError& error) const {
+    const ModelRef ref = error.entity();
+    if (!ref.valid() || ref.dim > 3 || ref.tag > part_.numbering.count(ref.dim)) return std::nullopt;
+    const TopoDS_Shape& entity = part_.numbering.of[ref.dim](ref.tag);
+    for (std::size_t i = 0; i < healed_.solids.size(); ++i)
+      for (const TopoDS_Shape& image : images_of(healed_.solids[i], joined_))
+        if (has_part(image, entity)) return i;
+    return std::nullopt;
+  }
+
+  void leave_out(std::size_t solid, const std::string& cause) {
+    lost_.push_back({healed_.solids[solid], cause});
+    healed_.solids.erase(healed_.solids.begin() + static_cast<std::ptrdiff_t>(solid));
+    std::erase_if(apart_, [&](const KeptApart& kept) { return kept.solid == solid; });
+    for (KeptApart& kept : apart_) {
+      if (kept.other == solid) kept.other = kept.solid;
+      if (kept.solid > solid) --kept.solid;
+      if (kept.other > solid) --kept.other;
+    }
+  }
+
+  [[nodiscard]] std::size_t tag_of(std::size_t solid) const {
+    return static_cast<std::size_t>(
+        part_.numbering.tag(3, images_of(healed_.solids[solid], joined_).First()));
+  }
+
+  const ShapeMaps& as_read_;
+  SolidSet healed_;  ///< without those left out
+  const ReadOptions& options_;
+  const StageLog& log_;
+  std::vector<KeptApart> apart_;  ///< indices in healed_
+  std::vector<LostSolid> lost_;
+  SolidSet joined_;  ///< of this attempt; its history begins with healed_
+  AssembledPart part_;
+};
+
+}  // namespace
+
+JoinedSolids join_solids(const ShapeMaps& as_read, SolidSet healed, const ReadOptions& options,
+                         const StageLog& log) {
+  return Joiner(as_read, std::move(healed), options, log).run();
+}
+
+}  // namespace octet

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Boxes of OCCT shapes.
+#pragma once
+
+#include <BRepBndLib.hxx>
+#include <Bnd_Box.hxx>
+#include <TopoDS_Shape.hxx>
+#include <cmath>
+
+#include "base/vec.h"
+
+namespace octet {
+
+/// Grown by tolerances; of the exact geometry, never of a triangulation.
+inline Bnd_Box box_of(const TopoDS_Shape& shape) {
+  Bnd_Box box;
+  BRepBndLib::Add(shape, box, false);
+  return box;
+}
+
+inline double diagonal_of(const Bnd_Box& box) { return box.IsVoid() ? 0.0 : std::sqrt(box.SquareExtent()); }
+
+/// The middle of its box.
+inline Vec3 middle_of(const TopoDS_Shape& shape) {
+  const Bnd_Box box = box_of(shape);
+  if (box.IsVoid()) return Vec3::Zero();
+  const gp_Pnt low = box.CornerMin(), high = box.CornerMax();
+  return 0.5 * Vec3(low.X() + high.X(), low.Y() + high.Y(), low.Z() + high.Z());
+}
+
+}  // namespace octet

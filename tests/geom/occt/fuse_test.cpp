@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Solids that touch are joined where that can be; where it cannot, the others still are, and it is told.
+#include "geom/occt/fuse.h"
+
+#include <gtest/gtest.h>
+
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRep_Builder.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS_Shell.hxx>
+#include <TopoDS_Solid.hxx>
+
+#include "base/error.h"
+#include "geom/model_check.h"
+#include "geom/occt/from_shape.h"
+#include "tests/geom/occt/compound_of.h"
+
+namespace octet::test {
+namespace {
+
+TopoDS_Shape box(double x0, double x1) {
+  return BRepPrimAPI_MakeBox(gp_Pnt(x0, 0, 0), gp_Pnt(x1, 1, 1)).Shape();
+}
+
+/// A box without its last face.
+TopoDS_Shape open_box(double x0, double x1) {
+  const BRep_Builder builder;
+  TopoDS_Shell shell;
+  builder.MakeShell(shell);
+  std::vector<TopoDS_Shape> faces;
+  for (TopExp_Explorer it(box(x0, x1), TopAbs_FACE); it.More(); it.Next()) faces.push_back(it.Current());
+  faces.pop_back();
+  for (const TopoDS_Shape& face : faces) builder.Add(shell, face);
+  TopoDS_Solid solid;
+  builder.MakeSolid(solid);
+  builder.Add(solid, shell);
+  return solid;
+}
+
+bool has_note(const Model& model, const std::string& words) {
+  for (const std::string& note : model.notes())
+    if (note.find(words) != std::string::npos) return true;
+  return false;
+}
+
+SolidSet set_of(const std::vector<TopoDS_Shape>& solids) { return {solids, new BRepTools_History(), {}}; }
+
+int faces_in(const std::vector<TopoDS_Shape>& solids) {
+  return ShapeMaps(compound_of(solids)).of[2].Extent();
+}
+
+TEST(Fuse, GroupsThatDoNotTouchAreFusedByThemselves) {
+  SolidSet set = set_of({box(0, 1), box(5, 6), box(1, 2), box(6, 7)});
+  std::vector<KeptApart> apart;
+  fuse_touching(set, apart);
+  EXPECT_TRUE(apart.empty());
+  EXPECT_EQ(set.solids.size(), 4u);
+  EXPECT_EQ(faces_in(set.solids), 22);
+}
+
+TEST(Fuse, AnOverlapOfLittleMoreThanTolerancesIsFusedWithATolerance) {
+  const Model model = model_from_shape(compound_of({box(0, 1), box(1 - 1.5e-6, 2)}));
+  EXPECT_TRUE(has_note(model, "were fused with a tolerance of"));
+  ASSERT_EQ(model.count(3), 2) << "no region 1.5e-6 thick";
+  EXPECT_EQ(model.count(2), 11);
+  EXPECT_EQ(check_model(model), "");
+  EXPECT_TRUE(model.parts().faults.empty());
+}
+
+TEST(Fuse, AThickerOverlapStaysARegion) {
+  const Model model = model_from_shape(compound_of({box(0, 1), box(0.99, 2)}));
+  ASSERT_EQ(model.count(3), 3);
+  EXPECT_FALSE(has_note(model, "were fused with a tolerance of"));
+}
+
+TEST(Fuse, ASolidKeptApartSharesNothing) {
+  SolidSet set = set_of({box(0, 1), box(1, 2), box(2, 3)});
+  std::vector<KeptApart> apart{{2, 2, Vec3::Zero(), "test"}};
+  fuse_touching(set, apart);
+  ASSERT_EQ(set.solids.size(), 3u);
+  EXPECT_EQ(faces_in({set.solids[0], set.solids[1]}), 11);
+  EXPECT_EQ(faces_in(set.solids), 17);
+}
+
+TEST(Fuse, ASolidThatCannotBeClosedIsLeftOutAndTheOthersAreJoined) {
+  const Model model = model_from_shape(compound_of({box(0, 1), open_box(1, 2), box(2, 3), box(-1, 0)}));
+  EXPECT_EQ(model.count(3), 3);
+  EXPECT_EQ(check_model(model), "");
+  ASSERT_EQ(model.parts().faults.size(), 1u);
+  const std::string& cause = model.parts().faults[0].cause;
+  EXPECT_NE(cause.find("Solid 2 is left out"), std::string::npos) << cause;
+  EXPECT_NEAR(model.parts().faults[0].place.x(), 1.5, 1e-6);
+  const auto& left_out = model.provenance().left_out;
+  ASSERT_FALSE(left_out.empty());
+  EXPECT_EQ(left_out.front().entity, model_region(2));
+  EXPECT_FALSE(model.parts().apart);
+  int shared = 0;
+  for (int f = 1; f <= model.count(2); ++f)
+    shared += model.face(f).region[0] != 0 && model.face(f).region[1] != 0 ? 1 : 0;
+  EXPECT_EQ(shared, 1);
+}
+
+TEST(Fuse, APartOfOneOpenSolidIsRefused) { EXPECT_THROW((void)model_from_shape(open_box(0, 1)), ModelError); }
+
+}  // namespace
+}  // namespace octet::test
