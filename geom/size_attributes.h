@@ -17,7 +17,8 @@ namespace octet {
 struct SizeAttribute {
   enum class Where {
     kNumbers,   ///< entities `dim` with tags first..last
-    kName,      ///< entities whose name matches the pattern; `dim` -1: of any dimension
+    kName,      ///< entities whose name matches the pattern; `dim` -1: of any dimension; regions also by the
+                ///< names of the parts and assemblies that hold them
     kColour,    ///< faces whose colour matches the pattern
     kNearest,   ///< the entity `dim` nearest to `a`
     kBox,       ///< what lies between the corners a and b

@@ -63,13 +63,29 @@ bool is_shape(Where where) {
   return where == Where::kBox || where == Where::kBall || where == Where::kCylinder;
 }
 
+/// Whether a part or an assembly that holds the region has such a name, or this use of it.
+bool holder_matches(const Model& model, int region, const std::string& pattern) {
+  const std::vector<PartNode>& tree = model.provenance().tree;
+  const auto is_so = [&](const std::string& name) { return !name.empty() && matches_pattern(name, pattern); };
+  for (const PartNode& holder : tree) {
+    if (!std::binary_search(holder.regions.begin(), holder.regions.end(), region)) continue;
+    for (const PartNode* node = &holder;; node = &tree[static_cast<std::size_t>(node->parent)]) {
+      if (is_so(node->name) || is_so(node->instance)) return true;
+      if (node->parent < 0) break;
+    }
+  }
+  return false;
+}
+
 bool matches(const Model& model, const SizeAttribute& attribute, ModelRef entity) {
   switch (attribute.where) {
     case Where::kNumbers:
       return entity.tag >= attribute.first && entity.tag <= attribute.last;
     case Where::kName:
-      return matches_pattern(name_of(model, entity), attribute.pattern) &&
-             (attribute.dim >= 0 || !name_of(model, entity).empty());
+      if (matches_pattern(name_of(model, entity), attribute.pattern) &&
+          (attribute.dim >= 0 || !name_of(model, entity).empty()))
+        return true;
+      return entity.dim == 3 && holder_matches(model, entity.tag, attribute.pattern);
     case Where::kColour: {
       std::string colour = model.face(entity.tag).colour;
       std::transform(colour.begin(), colour.end(), colour.begin(),

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <set>
 
+#include "base/error.h"
+#include "geom/size_attributes.h"
 #include "sample_parts.h"
 
 namespace octet::test {
@@ -32,6 +34,18 @@ TEST(Labels, NameColourAndMaterialStayWithTheirSolids) {
   EXPECT_EQ(block.colour, "#00ff00");
   EXPECT_EQ(block.material, "aluminium");
   EXPECT_NEAR(block.density, 2.7, 1e-9);
+}
+
+TEST(Labels, SizesFindRegionsByPartsUsesAndAssemblies) {
+  const Model model = sample("fixture");
+  const auto count = [&](const char* text) {
+    return selected_entities(model, parse_size_attribute(text)).size();
+  };
+  EXPECT_EQ(count("Region:pin=1"), 2u);
+  EXPECT_EQ(count("Region:pin:2=1"), 1u);
+  EXPECT_EQ(count("Region:fix*=1"), 4u);
+  EXPECT_EQ(count("fix*=1"), 4u) << "of any dimension: still regions only";
+  EXPECT_THROW((void)count("Face:fix*=1"), InputError);
 }
 
 TEST(Labels, BothUsesOfAPartHaveItsNameAndLayer) {
