@@ -20,6 +20,7 @@
 #include "app/target_elements.h"
 #include "classify/extract.h"
 #include "finalize/finalize.h"
+#include "geom/face_crossings.h"
 #include "geom/wide_gaps.h"
 
 namespace octet {
@@ -37,6 +38,13 @@ Fault warning_of(const WideGap& gap) {
       gap.entity, gap.place,
       fmt::format("it {} by up to {:.3g} mm, {:.2g} of the size there", what, gap.gap, gap.gap / gap.local),
       "mend the part there, or ask for a larger size"};
+}
+
+Fault warning_of(const FaceCrossing& crossing, const Model& model) {
+  return {model_face(crossing.face[0]), crossing.place,
+          fmt::format("it crosses {} by {:.3g} mm or more", model.describe(model_face(crossing.face[1])),
+                      crossing.depth),
+          "mend the part there"};
 }
 
 class Run {
@@ -93,7 +101,22 @@ class Run {
     result_.report.size = plan_.asked;
     for (const WideGap& gap : wide_gaps(model_, plan_.asked))
       result_.report.warnings.push_back(warning_of(gap));
+    refuse_crossings();
     octant_ = octant_request(plan_).size;
+  }
+
+  /// A boundary that crosses itself within the size bounds nothing; what the size cannot tell apart is tried.
+  void refuse_crossings() {
+    constexpr double kSeenShare = 0.5;
+    for (const FaceCrossing& crossing : face_crossings(model_)) {
+      if (crossing.depth > kSeenShare * plan_.asked)
+        throw InputError(fmt::format(
+            "{} and {} cross at ({:.6g}, {:.6g}, {:.6g}): the part's boundary meets itself, so it "
+            "bounds no volume; mend the part there",
+            model_.describe(model_face(crossing.face[0])), model_.describe(model_face(crossing.face[1])),
+            crossing.place.x(), crossing.place.y(), crossing.place.z()));
+      result_.report.warnings.push_back(warning_of(crossing, model_));
+    }
   }
 
   [[nodiscard]] Octree build_tree() {

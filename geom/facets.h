@@ -26,4 +26,10 @@ struct Facets {
       edge_deviation;  ///< per edge tag (index 0 unused): measured distance curve to its polyline, inflated
 };
 
+/// The corners of a facet of the model.
+[[nodiscard]] inline std::array<Vec3, 3> facet_corners(const Facets& facets, std::size_t triangle) {
+  const auto& t = facets.triangles[triangle];
+  return {facets.nodes[t[0]], facets.nodes[t[1]], facets.nodes[t[2]]};
+}
+
 }  // namespace octet

@@ -38,10 +38,4 @@ void wish_on_edge(const Model& model, int edge, double t0, double t1, double siz
 /// Samples of the triangle, no farther apart than the size wished; its centroid alone where it is smaller.
 void wish_on_triangle(const std::array<Vec3, 3>& corners, double size, const Wisher& who, Wishes& wishes);
 
-/// The corners of a facet of the model.
-[[nodiscard]] inline std::array<Vec3, 3> facet_corners(const Facets& facets, std::size_t triangle) {
-  const auto& t = facets.triangles[triangle];
-  return {facets.nodes[t[0]], facets.nodes[t[1]], facets.nodes[t[2]]};
-}
-
 }  // namespace octet

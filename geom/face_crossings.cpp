@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sides of facets that pierce facets of other faces give seeds; Newton's method on both surfaces decides.
+#include "geom/face_crossings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "geom/facet_bvh.h"
+
+namespace octet {
+namespace {
+
+/// Least sine of the angle between surfaces that cross: below, edges that are a little off look the same.
+constexpr double kLeastSine = 0.02;
+
+/// Seeds tried for a pair of faces: the deepest of so many places is deep enough to tell.
+constexpr int kSeeds = 32;
+
+struct Pair {
+  int seeds = 0;
+  FaceCrossing crossing;
+};
+
+class CrossingFinder {
+ public:
+  explicit CrossingFinder(const Model& model) : model_(model), facets_(model.facets()) {}
+
+  std::vector<FaceCrossing> run() {
+    for (std::uint32_t t = 0; t < facets_.triangles.size(); ++t)
+      for (int k = 0; k < 3; ++k) {
+        const std::uint32_t a = facets_.triangles[t][k], b = facets_.triangles[t][(k + 1) % 3];
+        if (a < b) look_along(t, a, b);  // the facet beyond the side has it the other way round
+      }
+    std::vector<FaceCrossing> found;
+    for (const auto& [faces, pair] : pairs_)
+      if (pair.crossing.depth > 0.0) found.push_back(pair.crossing);
+    return found;
+  }
+
+ private:
+  void look_along(std::uint32_t t, std::uint32_t a, std::uint32_t b) {
+    const Vec3 &p = facets_.nodes[a], &q = facets_.nodes[b];
+    model_.bvh().visit_segment(p, q, [&](std::uint32_t u) {
+      if (facets_.face[u] == facets_.face[t]) return;
+      const auto& corners = facets_.triangles[u];
+      for (const std::uint32_t c : corners)
+        if (c == a || c == b) return;
+      const std::optional<Vec3> seed = piercing(p, q, facet_corners(facets_, u));
+      if (seed) try_pair(facets_.face[t], facets_.face[u], *seed);
+    });
+  }
+
+  /// Where a segment goes through the inside of a triangle.
+  static std::optional<Vec3> piercing(const Vec3& p, const Vec3& q, const std::array<Vec3, 3>& c) {
+    const Vec3 d = q - p, e1 = c[1] - c[0], e2 = c[2] - c[0], h = d.cross(e2), s = p - c[0], r = s.cross(e1);
+    const double det = e1.dot(h);
+    if (det == 0.0) return std::nullopt;
+    const double u = s.dot(h) / det, v = d.dot(r) / det, at = e2.dot(r) / det;
+    if (u <= 0.0 || v <= 0.0 || u + v >= 1.0 || at <= 0.0 || at >= 1.0) return std::nullopt;
+    return p + at * d;
+  }
+
+  void try_pair(int f, int g, const Vec3& seed) {
+    if (f > g) std::swap(f, g);
+    Pair& pair = pairs_[{f, g}];
+    if (pair.seeds == kSeeds) return;
+    ++pair.seeds;
+    const FaceCrossing crossing = crossing_near(f, g, seed);
+    if (crossing.depth > pair.crossing.depth) pair.crossing = crossing;
+  }
+
+  /// Steps to the nearest point of both tangent planes. Depth 0: the surfaces do not prove to cross.
+  [[nodiscard]] FaceCrossing crossing_near(int f, int g, const Vec3& seed) const {
+    constexpr int kSteps = 12;
+    const FaceCrossing none{{f, g}, seed, 0.0};
+    const double close = 4.0 * model_.tolerance();
+    Vec3 p = seed;
+    for (int step = 0; step < kSteps; ++step) {
+      const FaceFoot a = model_.face_project(f, p), b = model_.face_project(g, p);
+      if (!a.converged || !b.converged) return none;
+      const double cosine = a.normal.dot(b.normal), sine = a.normal.cross(b.normal).norm();
+      if (sine < kLeastSine) return none;
+      const double off_a = (a.point - p).dot(a.normal), off_b = (b.point - p).dot(b.normal);
+      if ((a.point - p).norm() <= close && (b.point - p).norm() <= close) {
+        if (model_.face_side(f, a.uv) != TrimSide::kIn || model_.face_side(g, b.uv) != TrimSide::kIn)
+          return none;
+        return {{f, g}, p, std::min(clear_of_edges(f, p, sine), clear_of_edges(g, p, sine)) * sine};
+      }
+      const double det = 1.0 - cosine * cosine;
+      p += ((off_a - cosine * off_b) / det) * a.normal + ((off_b - cosine * off_a) / det) * b.normal;
+    }
+    return none;
+  }
+
+  /// Distance to the face's edges, 0 where they are so near that their own gaps may be what crosses.
+  [[nodiscard]] double clear_of_edges(int face, const Vec3& p, double sine) const {
+    double least = model_.diagonal();
+    for (const FaceBoundary& b : model_.face(face).boundary) {
+      const double distance = model_.edge_closest(b.edge, p).distance;
+      const double gap = 4.0 * (model_.edge(b.edge).tolerance + model_.face(face).tolerance) / sine;
+      if (distance <= gap) return 0.0;
+      least = std::min(least, distance);
+    }
+    return least;
+  }
+
+  const Model& model_;
+  const Facets& facets_;
+  std::map<std::array<int, 2>, Pair> pairs_;
+};
+
+}  // namespace
+
+std::vector<FaceCrossing> face_crossings(const Model& model) { return CrossingFinder(model).run(); }
+
+}  // namespace octet

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Faces that cross are told, with a point on both and how deep; faces that meet in edges are not.
+#include "geom/face_crossings.h"
+
+#include <gtest/gtest.h>
+
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRep_Builder.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Solid.hxx>
+#include <gp_Ax2.hxx>
+#include <gp_Pnt.hxx>
+
+#include "geom/occt/from_shape.h"
+
+namespace octet::test {
+namespace {
+
+/// One solid whose two shells cross: a box of side 10, and a rod through its top, which is a void to the
+/// file.
+TopoDS_Shape box_with_a_void_through_its_top() {
+  TopoDS_Solid solid = TopoDS::Solid(BRepPrimAPI_MakeBox(10.0, 10.0, 10.0).Solid());
+  const TopoDS_Shape rod =
+      BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(5.0, 5.0, 4.0), gp_Dir(0.0, 0.0, 1.0)), 2.0, 9.0).Shape();
+  BRep_Builder().Add(solid, TopExp_Explorer(rod, TopAbs_SHELL).Current().Reversed());
+  return solid;
+}
+
+TEST(FaceCrossings, AShellThatGoesThroughAnotherCrossesIt) {
+  const Model model = model_from_shape(box_with_a_void_through_its_top());
+  const std::vector<FaceCrossing> crossings = face_crossings(model);
+  ASSERT_EQ(crossings.size(), 1u);
+  const FaceCrossing& crossing = crossings.front();
+  EXPECT_NEAR(crossing.place.z(), 10.0, 1e-9);
+  EXPECT_NEAR(std::hypot(crossing.place.x() - 5.0, crossing.place.y() - 5.0), 2.0, 1e-9);
+  EXPECT_GT(crossing.depth, 2.5);  // 3 in truth, both to the box's sides and to the rod's end
+  EXPECT_LE(crossing.depth, 3.0 + 1e-9);
+  EXPECT_LT(crossing.face[0], crossing.face[1]);
+}
+
+TEST(FaceCrossings, NoneWhereFacesMeetInTheirEdges) {
+  EXPECT_TRUE(face_crossings(model_from_shape(BRepPrimAPI_MakeBox(1.0, 2.0, 3.0).Shape())).empty());
+  EXPECT_TRUE(face_crossings(model_from_shape(BRepPrimAPI_MakeCylinder(1.0, 3.0).Shape())).empty());
+}
+
+}  // namespace
+}  // namespace octet::test
