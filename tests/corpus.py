@@ -30,16 +30,21 @@ HEAD = ("file", "size", "status", "tets", "min dih", "p1 dih", "vol err", "regio
 ASSEMBLY_HEAD = ("regions", "shared", "shared tris", "worst vol")
 
 
-def arguments():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+def add_choice(parser):
+    """The options by which `chosen_parts` chooses."""
     parser.add_argument("parts", nargs="+", help="folders or CAD files")
-    parser.add_argument("--octet", default="build/app/octet")
-    parser.add_argument("--sizes", default="default,40", help="comma separated: default, N for diagonal/N, =N for N elements")
-    parser.add_argument("--limit", type=float, default=300.0, help="seconds a run may take")
     parser.add_argument("--manifest", help="TSV with the columns name, difficulty, kind")
     parser.add_argument("--difficulty", help="comma separated; only these rows of the manifest")
     parser.add_argument("--kind", help="comma separated; only these rows of the manifest")
     parser.add_argument("--match", help="only files whose name holds this")
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    add_choice(parser)
+    parser.add_argument("--octet", default="build/app/octet")
+    parser.add_argument("--sizes", default="default,40", help="comma separated: default, N for diagonal/N, =N for N elements")
+    parser.add_argument("--limit", type=float, default=300.0, help="seconds a run may take")
     parser.add_argument("--assemblies", action="store_true", help="tell regions, shared faces, volumes of regions")
     parser.add_argument("--meshstat")
     parser.add_argument("--meshvscad")

@@ -17,7 +17,7 @@ import sys
 import tempfile
 import time
 
-from corpus import chosen_parts
+from corpus import add_choice, chosen_parts
 
 HEAD = ("file", "status", "seconds", "cpu", "peak MB", "regions", "faces", "notes", "why")
 GRACE = 30.0  # seconds beyond the limit that the program itself keeps
@@ -25,14 +25,10 @@ GRACE = 30.0  # seconds beyond the limit that the program itself keeps
 
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("parts", nargs="+", help="folders or CAD files")
+    add_choice(parser)
     parser.add_argument("--octet", default="build/app/octet")
     parser.add_argument("--time-limit", type=float, default=60.0, help="seconds for reading one part")
     parser.add_argument("--memory-limit", type=float, default=4.0, help="GB for reading one part")
-    parser.add_argument("--manifest", help="TSV with the columns name, difficulty, kind")
-    parser.add_argument("--difficulty", help="comma separated; only these rows of the manifest")
-    parser.add_argument("--kind", help="comma separated; only these rows of the manifest")
-    parser.add_argument("--match", help="only files whose name holds this")
     parser.add_argument("--tsv", help="write the table here too")
     return parser.parse_args()
 

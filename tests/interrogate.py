@@ -15,7 +15,7 @@ import os
 import subprocess
 import sys
 
-from corpus import chosen_parts
+from corpus import add_choice, chosen_parts
 
 
 VERDICTS = ("ours_right", "within_tolerance", "theirs_right", "neither", "undecided")
@@ -23,15 +23,11 @@ VERDICTS = ("ours_right", "within_tolerance", "theirs_right", "neither", "undeci
 
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("parts", nargs="+", help="folders or CAD files")
+    add_choice(parser)
     parser.add_argument("--program", default="build/tests/geom/occt/octet_interrogate")
     parser.add_argument("--limit", type=float, default=120.0, help="seconds a part may take")
     parser.add_argument("--segments", type=int, default=20000)
     parser.add_argument("--points", type=int, default=1000)
-    parser.add_argument("--manifest", help="TSV with the columns name, difficulty, kind")
-    parser.add_argument("--difficulty", help="comma separated; only these rows of the manifest")
-    parser.add_argument("--kind", help="comma separated; only these rows of the manifest")
-    parser.add_argument("--match", help="only files whose name holds this")
     return parser.parse_args()
 
 

@@ -47,10 +47,15 @@ TEST(Finalize, BringsAJitteredBoxWithFlatTetrahedraToTwentyDegreesAndKeepsItsVol
   EXPECT_NEAR(testing::total_volume(part.mesh), 0.96, 1e-12);
 }
 
-TEST(Finalize, SmoothingAloneMovesVerticesAndKeepsTheTetrahedra) {
+Part jittered_box() {
   Part part = testing::box_part({1, 1.2, 0.8}, 8, 8, 7, true);
   testing::Dice dice(11);
   testing::jitter(part.mesh, part.model, 0.09, dice);
+  return part;
+}
+
+TEST(Finalize, SmoothingAloneMovesVerticesAndKeepsTheTetrahedra) {
+  Part part = jittered_box();
   const Mesh jittered = part.mesh;
   FinalizeOptions options = testing::options_of_size(0.13);
   options.scope = FinalizeScope::kSmoothing;
@@ -62,9 +67,7 @@ TEST(Finalize, SmoothingAloneMovesVerticesAndKeepsTheTetrahedra) {
 }
 
 TEST(Finalize, WorstOnlyReachesTheTargetAndLeavesGoodElementsAlone) {
-  Part part = testing::box_part({1, 1.2, 0.8}, 8, 8, 7, true);
-  testing::Dice dice(11);
-  testing::jitter(part.mesh, part.model, 0.09, dice);
+  Part part = jittered_box();
   const Mesh jittered = part.mesh;
   FinalizeOptions options = testing::options_of_size(0.13);
   options.scope = FinalizeScope::kWorst;
