@@ -61,7 +61,11 @@ class Bench {
 
   std::vector<Gap> gaps() { return find_gaps(band_, triangulation_.mesh(), on_, *chains_); }
 
-  AttributeResult close(std::size_t points) { return close(AttributeLimits{.points = points}); }
+  AttributeResult close(std::size_t points) {
+    AttributeLimits limits;
+    limits.points = points;
+    return close(limits);
+  }
   AttributeResult close(AttributeLimits limits) {
     limits.floor = 1e-5;
     Observer silent;

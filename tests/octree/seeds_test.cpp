@@ -92,8 +92,9 @@ TEST(Seeds, FacePointsKeepHalfTheSizeFromTheClosureOfTheirFace) {
   for (std::size_t i = 0; i < stage.seeds.surface_points; ++i) {
     if (points.on[i].dim != 2) continue;
     for (std::size_t j = 0; j < stage.seeds.surface_points; ++j)
-      if (i != j && model.in_closure(points.on[j], points.on[i]))
+      if (i != j && model.in_closure(points.on[j], points.on[i])) {
         EXPECT_GT((points.position[i] - points.position[j]).norm(), 0.5 * 0.2 * (1 - 1e-6));
+      }
   }
 }
 
