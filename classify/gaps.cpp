@@ -234,7 +234,7 @@ class GapFinder {
     std::sort(spokes.begin(), spokes.end());
     parent.resize(around.size());
     for (std::uint32_t k = 0; k < parent.size(); ++k) parent[k] = k;
-    const auto root = [&](std::uint32_t k) {
+    const auto root = [&parent = fan_.parent](std::uint32_t k) {
       while (parent[k] != k) k = parent[k] = parent[parent[k]];
       return k;
     };
