@@ -73,41 +73,32 @@ template <int N, int M>
 [[nodiscard]] WideInt<N + M> operator*(const WideInt<N>& a, const WideInt<M>& b) {
   __extension__ using Double = unsigned __int128;
   __extension__ using Signed = __int128;
+  const auto low = [](const auto& t) { return static_cast<std::uint64_t>(t); };
+  const auto as_signed = [](std::uint64_t limb) { return static_cast<Signed>(static_cast<std::int64_t>(limb)); };
+  // The top limbs carry the sign, and so does the top limb of each row's sum: no corrections, no branches.
   WideInt<N + M> r;
-  if constexpr (N == 1 && M == 1) {
-    const auto t = static_cast<Double>(static_cast<Signed>(static_cast<std::int64_t>(a.limb[0])) *
-                                       static_cast<std::int64_t>(b.limb[0]));
-    r.limb = {static_cast<std::uint64_t>(t), static_cast<std::uint64_t>(t >> 64)};
-    return r;
-  }
-  for (int i = 0; i < N; ++i) {
+  for (int i = 0; i + 1 < N; ++i) {
     std::uint64_t carry = 0;
-    for (int j = 0; j < M; ++j) {
+    for (int j = 0; j + 1 < M; ++j) {
       const Double t = static_cast<Double>(a.limb[i]) * b.limb[j] + r.limb[i + j] + carry;
-      r.limb[i + j] = static_cast<std::uint64_t>(t);
-      carry = static_cast<std::uint64_t>(t >> 64);
+      r.limb[i + j] = low(t);
+      carry = low(t >> 64);
     }
-    r.limb[i + M] = carry;
+    const Signed t = static_cast<Signed>(a.limb[i]) * as_signed(b.limb[M - 1]) + as_signed(r.limb[i + M - 1]) +
+                     static_cast<Signed>(carry);
+    r.limb[i + M - 1] = low(t);
+    r.limb[i + M] = low(t >> 64);
   }
-  // The loop multiplied the limbs as unsigned numbers: a negative factor counted 2^(64 N) too much.
-  if (a.negative()) {
-    std::uint64_t borrow = 0;
-    for (int j = 0; j < M; ++j) {
-      const std::uint64_t s = r.limb[N + j] - borrow;
-      borrow = s > r.limb[N + j] ? 1 : 0;
-      r.limb[N + j] = s - b.limb[j];
-      borrow += r.limb[N + j] > s ? 1 : 0;
-    }
+  Signed carry = 0;
+  for (int j = 0; j + 1 < M; ++j) {
+    const Signed t = as_signed(a.limb[N - 1]) * static_cast<Signed>(b.limb[j]) +
+                     static_cast<Signed>(r.limb[N - 1 + j]) + carry;
+    r.limb[N - 1 + j] = low(t);
+    carry = t >> 64;
   }
-  if (b.negative()) {
-    std::uint64_t borrow = 0;
-    for (int i = 0; i < N; ++i) {
-      const std::uint64_t s = r.limb[M + i] - borrow;
-      borrow = s > r.limb[M + i] ? 1 : 0;
-      r.limb[M + i] = s - a.limb[i];
-      borrow += r.limb[M + i] > s ? 1 : 0;
-    }
-  }
+  const Signed t = as_signed(a.limb[N - 1]) * as_signed(b.limb[M - 1]) + as_signed(r.limb[N + M - 2]) + carry;
+  r.limb[N + M - 2] = low(t);
+  r.limb[N + M - 1] = low(t >> 64);
   return r;
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -76,21 +77,31 @@ class SurfaceSampler {
     std::vector<FarPlace> far;
   };
 
-  /// Samples at the centroids of the facet's n x n division, on the exact surface and within the face.
+  /// Samples on the exact surface, in rows along the facet's longest side: slim facets, of which planes are
+  /// full, need one row. A facet no larger than the step has one sample, its centroid.
   void sample_facet(int face, std::uint32_t f, const Density& density, Found& found) const {
-    const Facets& facets = in_.model.facets();
-    const auto& v = facets.triangles[f];
-    const double longest = std::max({(facets.nodes[v[0]] - facets.nodes[v[1]]).norm(),
-                                     (facets.nodes[v[1]] - facets.nodes[v[2]]).norm(),
-                                     (facets.nodes[v[2]] - facets.nodes[v[0]]).norm()});
-    const int n = std::clamp(static_cast<int>(std::ceil(longest / density.step)), 1, kMostSteps);
-    const auto& uv = facets.uv[f];
-    for (int i = 0; i < n; ++i)
-      for (int j = 0; i + j < n; ++j) {
-        const double s = (i + 1.0 / 3.0) / n, t = (j + 1.0 / 3.0) / n;
-        const Vec2 at = (1.0 - s - t) * uv[0] + s * uv[1] + t * uv[2];
-        check(face, in_.model.face_jet(face, at, 0).p, found);
+    const std::array<Vec3, 3> corner = facet_corners(in_.model.facets(), f);
+    const auto side = [&](int k) { return (corner[(k + 2) % 3] - corner[(k + 1) % 3]).norm(); };
+    int apex = 0;
+    for (int k = 1; k < 3; ++k)
+      if (side(k) > side(apex)) apex = k;
+    const double longest = side(apex);
+    const double area = (corner[1] - corner[0]).cross(corner[2] - corner[0]).norm();
+    const double height = longest > 0.0 ? area / longest : 0.0;
+    const auto steps = [&](double length) {
+      return std::clamp(static_cast<int>(std::ceil(length / density.step)), 1, kMostSteps);
+    };
+    const auto& uv = in_.model.facets().uv[f];
+    const int rows = steps(height);
+    for (int j = 0; j < rows; ++j) {
+      const double up = (j + 1.0 / 3.0) / rows;
+      const int columns = steps((1.0 - up) * longest);
+      for (int i = 0; i < columns; ++i) {
+        const double along = (i + 0.5) / columns;
+        const Vec2 foot = (1.0 - along) * uv[(apex + 1) % 3] + along * uv[(apex + 2) % 3];
+        check(face, in_.model.face_jet(face, up * uv[apex] + (1.0 - up) * foot, 0).p, found);
       }
+    }
   }
 
   void check(int face, const Vec3& p, Found& found) const {

@@ -70,6 +70,7 @@ void local_star(const Workshop& shop, VertexId v, std::span<const TetId> tets, L
   if (star.on.dim == 3) return;
   Fit before;
   for (const StarTriangle& triangle : star.triangles) {
+    if (shop.guard.planar(triangle.face)) continue;
     before.add(shop.guard.fit(mesh, triangle.face, {v, triangle.rim[0], triangle.rim[1]}));
   }
   dress_triangles(shop, star, before, star.length);
@@ -142,7 +143,9 @@ bool triangles_fit(const Workshop& shop, const LocalStar& star, const Stand& sta
   if (star.on.dim == 2 && beyond_border(shop, star.on.tag, stand)) return false;
   for (std::size_t i = 0; i < star.triangles.size(); ++i) {
     const int face = star.triangles[i].face;
-    const Seat* seat = shop.guard.planar(face) ? nullptr : find_seat(stand, face);
+    // On a plane they neither turn nor leave it while their tetrahedra are positive.
+    if (shop.guard.planar(face)) continue;
+    const Seat* seat = find_seat(stand, face);
     const Vec3& normal = seat != nullptr ? seat->normal : star.normals[i][0];
     const Fit fit = BoundaryGuard::fit({stand.point, star.rims[i][0], star.rims[i][1]},
                                        {normal, star.normals[i][0], star.normals[i][1]});
