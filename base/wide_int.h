@@ -74,7 +74,9 @@ template <int N, int M>
   __extension__ using Double = unsigned __int128;
   __extension__ using Signed = __int128;
   const auto low = [](const auto& t) { return static_cast<std::uint64_t>(t); };
-  const auto as_signed = [](std::uint64_t limb) { return static_cast<Signed>(static_cast<std::int64_t>(limb)); };
+  const auto as_signed = [](std::uint64_t limb) {
+    return static_cast<Signed>(static_cast<std::int64_t>(limb));
+  };
   // The top limbs carry the sign, and so does the top limb of each row's sum: no corrections, no branches.
   WideInt<N + M> r;
   for (int i = 0; i + 1 < N; ++i) {
@@ -84,8 +86,8 @@ template <int N, int M>
       r.limb[i + j] = low(t);
       carry = low(t >> 64);
     }
-    const Signed t = static_cast<Signed>(a.limb[i]) * as_signed(b.limb[M - 1]) + as_signed(r.limb[i + M - 1]) +
-                     static_cast<Signed>(carry);
+    const Signed t = static_cast<Signed>(a.limb[i]) * as_signed(b.limb[M - 1]) +
+                     as_signed(r.limb[i + M - 1]) + static_cast<Signed>(carry);
     r.limb[i + M - 1] = low(t);
     r.limb[i + M] = low(t >> 64);
   }
