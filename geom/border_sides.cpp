@@ -106,9 +106,20 @@ std::vector<std::int32_t> vertex_nodes(const ModelParts& parts) {
   return node_vertex;
 }
 
+/// The chord ends in the points of the model's vertices, which may lie off the curve.
+double reach_of(const ModelParts& parts, const BorderSides& border, const BorderSide& side,
+                double tolerance) {
+  double vertex = 0.0;
+  for (const std::uint32_t node : {side.a, side.b})
+    if (const std::int32_t v = border.node_vertex[node]; v > 0)
+      vertex = std::max(vertex, parts.vertices[v].tolerance);
+  return parts.facets.edge_deviation[side.edge] + parts.edges[side.edge].tolerance + tolerance + vertex;
+}
+
 }  // namespace
 
-BorderSides find_border_sides(const ModelParts& parts, const std::vector<CurveSamples>& samples) {
+BorderSides find_border_sides(const ModelParts& parts, const std::vector<CurveSamples>& samples,
+                              double tolerance) {
   const Facets& facets = parts.facets;
   const std::size_t faces = parts.faces.size();
   std::vector<std::vector<int>> edges(faces), slits(faces);
@@ -117,6 +128,7 @@ BorderSides find_border_sides(const ModelParts& parts, const std::vector<CurveSa
     slits[f] = real_edges(parts, static_cast<int>(f), true);
   }
   BorderSides border;
+  border.node_vertex = vertex_nodes(parts);
   border.of_triangle.assign(facets.triangles.size(), {-1, -1, -1});
   const std::vector<SideUse> uses = side_uses(facets);
   for (std::size_t begin = 0, end = 0; begin < uses.size(); begin = end) {
@@ -135,9 +147,10 @@ BorderSides find_border_sides(const ModelParts& parts, const std::vector<CurveSa
     if (m.edge == 0 || (one_face && !lies_on(parts, m, a, b))) continue;
     for (std::size_t i = begin; i < end; ++i)
       border.of_triangle[uses[i].triangle][uses[i].corner] = static_cast<std::int32_t>(border.sides.size());
-    border.sides.push_back({m.edge, m.t, uses[begin].a, uses[begin].b});
+    BorderSide side{m.edge, m.t, uses[begin].a, uses[begin].b};
+    side.reach = reach_of(parts, border, side, tolerance);
+    border.sides.push_back(side);
   }
-  border.node_vertex = vertex_nodes(parts);
   return border;
 }
 

@@ -225,15 +225,24 @@ FacetBvh::FacetBvh(const Facets& facets, std::span<const double> grow, int faces
   FacetBvhBuilder(*this, facets).build(faces);
 }
 
-/// Separating axes of a box and a segment given by its middle and half vector: three axes of the box and
-/// three cross products [Ericson 2005, 5.3.3].
-bool FacetBvh::segment_meets(const Node& node, const Vec3& middle, const Vec3& half) {
+FacetBvh::Probe::Probe(const Vec3& p, const Vec3& q) : middle(0.5 * (p + q)), half(0.5 * (q - p)) {
+  int moving = 0;
+  for (int k = 0; k < 3; ++k) {
+    lo[k] = round_down(std::min(p[k], q[k]));
+    hi[k] = round_up(std::max(p[k], q[k]));
+    moving += p[k] != q[k] ? 1 : 0;
+  }
+  straight = moving <= 1;
+}
+
+/// Separating axes of a segment and a box that meets the segment's box: the cross products of the segment
+/// with the axes [Ericson 2005, 5.3.3].
+bool FacetBvh::Probe::crosses(const Node& node) const {
   Vec3 c, e;
   for (int k = 0; k < 3; ++k) {
-    const double lo = node.lo[k], hi = node.hi[k];
-    e[k] = 0.5 * (hi - lo);
-    c[k] = middle[k] - 0.5 * (lo + hi);
-    if (std::abs(c[k]) > e[k] + std::abs(half[k])) return false;
+    const double l = node.lo[k], h = node.hi[k];
+    e[k] = 0.5 * (h - l);
+    c[k] = middle[k] - 0.5 * (l + h);
   }
   const Vec3 a = half.cwiseAbs();
   const double slack = 1e-15 * (a.sum() * (c.cwiseAbs().sum() + e.sum()));

@@ -107,7 +107,19 @@ class FacetBvh {
 
   friend class FacetBvhBuilder;
   [[nodiscard]] std::int32_t root_of(int face) const { return face == 0 ? root_ : face_root_[face]; }
-  [[nodiscard]] static bool segment_meets(const Node& node, const Vec3& middle, const Vec3& half);
+  /// A segment as boxes are asked about it.
+  struct Probe {
+    Probe(const Vec3& p, const Vec3& q);
+    [[nodiscard]] bool meets(const Node& node) const {
+      bool apart = false;
+      for (int k = 0; k < 3; ++k) apart |= node.lo[k] > hi[k] || node.hi[k] < lo[k];
+      return !apart && (straight || crosses(node));
+    }
+    [[nodiscard]] bool crosses(const Node& node) const;
+    std::array<float, 3> lo, hi;  ///< its box, rounded outward
+    bool straight;                ///< parallel to an axis: it is its box
+    Vec3 middle, half;
+  };
   [[nodiscard]] static bool segment_meets(const Item& item, const Vec3& p, const Vec3& q);
   [[nodiscard]] static bool box_meets(const Item& item, const Box3& box);
   [[nodiscard]] static double squared_distance(const Node& node, const Vec3& p);
@@ -135,15 +147,14 @@ inline double FacetBvh::squared_distance(const Node& node, const Vec3& p) {
 template <class Visit>
 void FacetBvh::visit_segment(const Vec3& p, const Vec3& q, const Visit& visit) const {
   if (root_ < 0) return;
-  const Vec3 middle = 0.5 * (p + q), half = 0.5 * (q - p);
+  const Probe probe(p, q);
   Stack stack;
-  stack.push(root_);
+  if (probe.meets(nodes_[root_])) stack.push(root_);
   while (stack.size > 0) {
     const Node& node = nodes_[stack.pop()];
-    if (!segment_meets(node, middle, half)) continue;
     if (node.second >= 0) {
-      stack.push(node.second);
-      stack.push(node.first);
+      if (probe.meets(nodes_[node.second])) stack.push(node.second);
+      if (probe.meets(nodes_[node.first])) stack.push(node.first);
       continue;
     }
     for (std::int32_t i = node.first; i < node.first - node.second; ++i)

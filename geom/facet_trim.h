@@ -19,17 +19,6 @@ namespace octet {
   return (x - a - u * e).norm();
 }
 
-/// How far the border's curve and its tolerance may reach from the chord of a side. The chord ends in the
-/// points of the model's vertices, which may lie off the curve.
-[[nodiscard]] inline double chord_reach(const Model::Data& data, const BorderSide& side) {
-  const double reach = data.facets().edge_deviation[side.edge] + data.edge_reach(side.edge);
-  double vertex = 0.0;
-  for (const std::uint32_t node : {side.a, side.b})
-    if (const std::int32_t v = data.border.node_vertex[node]; v > 0)
-      vertex = std::max(vertex, data.parts.vertices[v].tolerance);
-  return reach + vertex;
-}
-
 /// Whether (u,v) lies in the triangle of the facet's corners in (u,v).
 [[nodiscard]] inline bool uv_in_facet(const std::array<Vec2, 3>& c, const Vec2& uv) {
   const auto cross = [](const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); };
@@ -55,7 +44,7 @@ template <class Iterator, class Id>
       if (s < 0) continue;
       const BorderSide& side = data.border.sides[s];
       const double bulge = data.facets().deviation[data.facets().face[id(*it)]];
-      if (chord_distance(data, side, x) <= bulge + kClear * chord_reach(data, side)) return false;
+      if (chord_distance(data, side, x) <= bulge + kClear * side.reach) return false;
     }
   return true;
 }

@@ -71,7 +71,7 @@ Model::Model(ModelParts parts) {
   for (const Vec3& x : p.facets.nodes) nodes.add(x);
   data->tolerance = 16e-12 * nodes.diagonal();
   measure_edges(p, data->arcs, data->samples);
-  data->border = find_border_sides(p, data->samples);
+  data->border = find_border_sides(p, data->samples, data->tolerance);
   const std::vector<double> grow = facet_growth(p, data->border, data->tolerance);
   data->bvh = FacetBvh(p.facets, grow, static_cast<int>(p.faces.size()) - 1);
   for (std::size_t i = 0; i < p.facets.triangles.size(); ++i) {

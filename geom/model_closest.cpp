@@ -74,7 +74,7 @@ class ClosestQuery {
       }
     std::sort(edges.begin(), edges.end(), [](const Nearest& a, const Nearest& b) { return a.edge < b.edge; });
     for (const Nearest& n : edges) {
-      if (n.distance - chord_reach(data_, *n.side) > best_.distance) continue;
+      if (n.distance - n.side->reach > best_.distance) continue;
       const Curve& curve = data_.curve(n.edge);
       const Vec3 x = curve.point(curve.project(p_, n.side->t));
       const double d = (x - p_).norm();
@@ -166,7 +166,7 @@ class ClosestQuery {
         if (s < 0) continue;
         const BorderSide& side = data_.border.sides[s];
         const double reach = data_.edge_reach(side.edge);
-        if (chord_distance(data_, side, best_.point) > chord_reach(data_, side)) continue;
+        if (chord_distance(data_, side, best_.point) > side.reach) continue;
         const Curve& curve = data_.curve(side.edge);
         const Vec3 x = curve.point(curve.project(best_.point, side.t));
         if ((x - best_.point).norm() > reach) continue;

@@ -38,6 +38,14 @@ struct Chord {
   Vec3 a, b;
 };
 
+/// Whether the chord's box is farther than `reach` from the box low..high along some axis.
+bool boxes_apart(const Chord& c, const Vec3& low, const Vec3& high, double reach) {
+  return ((c.a.cwiseMax(c.b) - low).array() < -reach).any() ||
+         ((c.a.cwiseMin(c.b) - high).array() > reach).any();
+}
+
+bool within(const Vec3& a, const Vec3& b, double reach) { return (a - b).squaredNorm() <= reach * reach; }
+
 /// Nearest parameters of a segment and a chord [Ericson 2005, 5.1.9].
 std::pair<double, double> nearest_parameters(const Segment& s, const Chord& c) {
   const Vec3 e = c.b - c.a, r = s.p - c.a;
@@ -59,11 +67,11 @@ std::pair<double, double> nearest_parameters(const Segment& s, const Chord& c) {
 class SegmentQuery {
  public:
   SegmentQuery(const Model::Data& data, const Vec3& p, const Vec3& q)
-      : data_(data), segment_{p, q - p, (q - p).norm()} {}
+      : data_(data), segment_{p, q - p, (q - p).norm()}, low_(p.cwiseMin(q)), high_(p.cwiseMax(q)) {}
 
   /// `doubtful` gets the indices of hits whose kind does not follow from the faces' normals.
   void run(std::vector<Hit>& hits, std::vector<std::size_t>& doubtful) {
-    if (!(segment_.length > 0.0)) return;
+    if (!(segment_.length > 0.0) || data_.grid.is_clear(segment_.p, segment_.at(1.0))) return;
     data_.bvh.visit_segment(segment_.p, segment_.at(1.0), [&](std::uint32_t t) { triangles_.push_back(t); });
     if (triangles_.empty()) return;
     std::sort(triangles_.begin(), triangles_.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -122,10 +130,11 @@ class SegmentQuery {
 
   void meet_edge(const BorderSide& side) {
     const Chord c = chord(side);
+    if (boxes_apart(c, low_, high_, side.reach)) return;
     const double reach = data_.edge_reach(side.edge);
     const auto [t, u] = nearest_parameters(segment_, c);
     const double apart = (segment_.at(t) - (c.a + u * (c.b - c.a))).norm();
-    if (apart > chord_reach(data_, side)) return;
+    if (apart > side.reach) return;
     const Vec3 e = c.b - c.a;
     const double sine = segment_.d.cross(e).norm() / (segment_.length * e.norm());
     if (sine * std::min(segment_.length, e.norm()) <= reach) {
@@ -237,7 +246,7 @@ class SegmentQuery {
     for (const std::uint32_t triangle : triangles) {
       for (int k = 0; k < 3; ++k) {
         const std::int32_t v = data_.border.node_vertex[data_.facets().triangles[triangle][k]];
-        if (v > 0 && (data_.parts.vertices[v].point - x).norm() <= data_.vertex_reach(v)) {
+        if (v > 0 && within(data_.parts.vertices[v].point, x, data_.vertex_reach(v))) {
           const Vec3& point = data_.parts.vertices[v].point;
           return &joint_at({0, v}, segment_.foot(point), point, 0.0);
         }
@@ -248,7 +257,8 @@ class SegmentQuery {
         if (s < 0) continue;
         const BorderSide& side = data_.border.sides[s];
         const double reach = data_.edge_reach(side.edge);
-        if (chord_distance(data_, side, x) > chord_reach(data_, side)) continue;
+        if (boxes_apart(chord(side), x, x, side.reach) || chord_distance(data_, side, x) > side.reach)
+          continue;
         const double edge_t = data_.curve(side.edge).project(x, side.t);
         const Vec3 on_curve = data_.curve(side.edge).point(edge_t);
         if ((on_curve - x).norm() <= reach)
@@ -399,6 +409,7 @@ class SegmentQuery {
 
   const Model::Data& data_;
   Segment segment_;
+  Vec3 low_, high_;  ///< the segment's box
   std::vector<std::uint32_t> triangles_;
   std::vector<std::int32_t> sides_;
   std::vector<JointEvent> joints_;

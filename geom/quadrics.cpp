@@ -181,7 +181,7 @@ class Cylinder final : public RoundSurface {
 
  private:
   Quadratic quadratic(const Vec3& l, const Vec3& d) const override {
-    const double rho = std::hypot(l.x(), l.y());
+    const double rho = l.head<2>().norm();
     return {d.x() * d.x() + d.y() * d.y(), l.x() * d.x() + l.y() * d.y(), (rho - radius_) * (rho + radius_)};
   }
   Vec2 uv_of(const Vec3& l) const override { return {angle(l.x(), l.y()), l.z()}; }
@@ -214,7 +214,7 @@ class Cone final : public RoundSurface {
     const Vec3 l = axes_.to_local(p);
     // The nappe is the seed's: a foot that would pass the apex stays there.
     const double side = radius_at(seed.y()) < 0.0 ? -1.0 : 1.0;
-    const double rho = side * std::hypot(l.x(), l.y());
+    const double rho = side * l.head<2>().norm();
     double v = (rho - radius_) * sin_ + l.z() * cos_;
     if (side * radius_at(v) < 0.0) v = -radius_ / sin_;
     const Vec2 uv(angle_near(side * l.x(), side * l.y(), seed.x()), v);
@@ -234,7 +234,7 @@ class Cone final : public RoundSurface {
 
   // cos^2 (x^2 + y^2) - (radius cos + z sin)^2, that is z measured from the apex.
   Quadratic quadratic(const Vec3& l, const Vec3& d) const override {
-    const double rho = cos_ * std::hypot(l.x(), l.y());
+    const double rho = cos_ * l.head<2>().norm();
     const double z = radius_ * cos_ + l.z() * sin_, dz = d.z() * sin_;
     const double cc = cos_ * cos_;
     return {cc * (d.x() * d.x() + d.y() * d.y()) - dz * dz, cc * (l.x() * d.x() + l.y() * d.y()) - z * dz,
@@ -275,8 +275,8 @@ class Sphere final : public RoundSurface {
 
   SurfaceFoot project(const Vec3& p, const Vec2& seed) const override {
     const Vec3 l = axes_.to_local(p);
-    const double rho = std::hypot(l.x(), l.y());
-    const double length = std::hypot(rho, l.z());
+    const double rho = l.head<2>().norm();
+    const double length = l.norm();
     if (length <= kEps * radius_) return {seed, evaluate(seed, 0).p, true};
     const Vec2 uv(angle_near(l.x(), l.y(), seed.x()), std::atan2(l.z(), rho));
     return {uv, axes_.to_world(l * (radius_ / length)), true};
@@ -295,7 +295,7 @@ class Sphere final : public RoundSurface {
     return {d.squaredNorm(), l.dot(d), (r - radius_) * (r + radius_)};
   }
   Vec2 uv_of(const Vec3& l) const override {
-    return {angle(l.x(), l.y()), std::atan2(l.z(), std::hypot(l.x(), l.y()))};
+    return {angle(l.x(), l.y()), std::atan2(l.z(), l.head<2>().norm())};
   }
   double value_noise(double rounding, const Vec3&) const override { return 2.0 * radius_ * rounding; }
 };

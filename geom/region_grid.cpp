@@ -79,15 +79,32 @@ void RegionGrid::flood(const Cell& start, int region) {
   }
 }
 
-int RegionGrid::at(const Vec3& p) const {
-  if (label_.empty()) return kUnknown;
-  Cell c;
+bool RegionGrid::find_cell(const Vec3& p, Cell& cell) const {
+  if (label_.empty()) return false;
   for (int k = 0; k < 3; ++k) {
-    const double x = std::floor((p[k] - lo_[k]) / width_);
-    if (!(x >= 0.0 && x < cells_[k])) return kUnknown;
-    c[k] = static_cast<int>(x);
+    const double x = (p[k] - lo_[k]) / width_;
+    if (!(x >= 0.0 && x < cells_[k])) return false;
+    cell[k] = static_cast<int>(x);
   }
-  return label_[index(c)];
+  return true;
+}
+
+int RegionGrid::at(const Vec3& p) const {
+  Cell c;
+  return find_cell(p, c) ? label_[index(c)] : kUnknown;
+}
+
+bool RegionGrid::is_clear(const Vec3& p, const Vec3& q) const {
+  constexpr int kMostSteps = 8;
+  Cell a, b;
+  if (!find_cell(p.cwiseMin(q), a) || !find_cell(p.cwiseMax(q), b)) return false;
+  if (b[0] - a[0] + b[1] - a[1] + b[2] - a[2] > kMostSteps) return false;
+  Cell c;
+  for (c[2] = a[2]; c[2] <= b[2]; ++c[2])
+    for (c[1] = a[1]; c[1] <= b[1]; ++c[1])
+      for (c[0] = a[0]; c[0] <= b[0]; ++c[0])
+        if (label_[index(c)] == kBoundary) return false;
+  return true;
 }
 
 }  // namespace octet

@@ -23,9 +23,14 @@ class RegionGrid {
   static constexpr int kUnknown = -1;
   /// Region at p, or kUnknown near the boundary and outside the box.
   [[nodiscard]] int at(const Vec3& p) const;
+  /// Whether the segment p..q runs through few cells and all are labelled: no boundary is on it. False
+  /// decides nothing.
+  [[nodiscard]] bool is_clear(const Vec3& p, const Vec3& q) const;
 
  private:
   using Cell = std::array<int, 3>;
+  /// False outside the box.
+  [[nodiscard]] bool find_cell(const Vec3& p, Cell& cell) const;
   [[nodiscard]] std::size_t index(const Cell& c) const {
     return (static_cast<std::size_t>(c[2]) * cells_[1] + c[1]) * cells_[0] + c[0];
   }

@@ -135,14 +135,14 @@ class Torus final : public Surface {
 
   SurfaceFoot project(const Vec3& p, const Vec2& seed) const override {
     const Vec3 l = axes_.to_local(p);
-    const double rho = std::hypot(l.x(), l.y());
+    const double rho = l.head<2>().norm();
     // A spindle torus has an outer and an inner sheet over each rho: the foot stays on the seed's.
     const double side = major_ + minor_ * std::cos(seed.y()) < 0.0 ? -1.0 : 1.0;
     const double u = rho <= kEps * major_
                          ? wrap_angle_near(seed.x(), u0_, seed.x())
                          : wrap_angle_near(std::atan2(side * l.y(), side * l.x()), u0_, seed.x());
     const double across = side * rho - major_;
-    const bool on_spine = std::hypot(across, l.z()) <= kEps * major_;
+    const bool on_spine = Vec2(across, l.z()).norm() <= kEps * major_;
     double turn = std::atan2(l.z(), across);
     // A foot that would pass the point where the sheets meet stays there.
     if (minor_ > major_ && side * (major_ + minor_ * std::cos(turn)) < 0.0)
@@ -176,8 +176,8 @@ class Torus final : public Surface {
   /// The same sign as the quartic, without its cancellation: distance to the near sheet times that to the
   /// far one.
   [[nodiscard]] double level(const Vec3& l) const {
-    const double rho = std::hypot(l.x(), l.y());
-    return (std::hypot(rho - major_, l.z()) - minor_) * (std::hypot(rho + major_, l.z()) - minor_);
+    const double rho = l.head<2>().norm();
+    return (Vec2(rho - major_, l.z()).norm() - minor_) * (Vec2(rho + major_, l.z()).norm() - minor_);
   }
 
   /// Between the quartic's extrema f is monotone: a sign change is a root, an extremum at zero a touch.
@@ -211,9 +211,9 @@ class Torus final : public Surface {
 
   void add(const LocalSegment& s, double t, bool tangent, std::vector<SurfaceRoot>& roots) const {
     const Vec3 l = s.at(t);
-    const double rho = std::hypot(l.x(), l.y());
-    const double near = std::abs(std::hypot(rho - major_, l.z()) - minor_);
-    const double far = std::abs(std::hypot(rho + major_, l.z()) - minor_);
+    const double rho = l.head<2>().norm();
+    const double near = std::abs(Vec2(rho - major_, l.z()).norm() - minor_);
+    const double far = std::abs(Vec2(rho + major_, l.z()).norm() - minor_);
     const double side = far < near ? -1.0 : 1.0;  // -1: the inner sheet of a spindle torus
     const double u = wrap_angle(std::atan2(side * l.y(), side * l.x()), u0_);
     const double v = wrap_angle(std::atan2(l.z(), side * rho - major_), v0_);

@@ -26,6 +26,23 @@ TEST(RegionGrid, KnownCellsAreRightAndMany) {
   }
 }
 
+TEST(RegionGrid, NoBoundaryIsOnAClearSegment) {
+  for (const auto& s : test::all_samples(test::tilted_frame())) {
+    const RegionGrid grid(s.model.bvh(), s.model.box(), [&](const Vec3& p) { return s.model.region_at(p); });
+    test::Dice dice(3);
+    const double step = 0.02 * s.model.diagonal();
+    int clear = 0;
+    for (int i = 0; i < 5000; ++i) {
+      const Vec3 p = dice.in(s.model.box());
+      const Vec3 q = p + step * Vec3(dice(-1.0, 1.0), dice(-1.0, 1.0), dice(-1.0, 1.0));
+      if (!grid.is_clear(p, q)) continue;
+      ++clear;
+      for (int k = 0; k <= 16; ++k) ASSERT_EQ(s.depth(p + k / 16.0 * (q - p)) > 0, s.depth(p) > 0) << s.name;
+    }
+    EXPECT_GT(clear, 1500) << s.name;
+  }
+}
+
 TEST(RegionGrid, EmptyGridKnowsNothing) { EXPECT_EQ(RegionGrid().at(Vec3::Zero()), RegionGrid::kUnknown); }
 
 }  // namespace
