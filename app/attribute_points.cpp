@@ -41,8 +41,7 @@ class AttributeLoop {
   AttributeResult run(Observer& observer) {
     for (result_.rounds = 0; result_.rounds < limits_.rounds; ++result_.rounds) {
       if (observer.cancelled()) throw Cancelled();
-      band_.repair(mesh(), on_);
-      result_.gaps = find_gaps(band_, mesh(), on_, chains_);
+      look();
       if (result_.gaps.empty()) look_along_duals();
       observer.note(round_text());
       if (result_.gaps.empty() || result_.points >= limits_.points || runs_away()) return finished();
@@ -51,13 +50,24 @@ class AttributeLoop {
       relabel();
       if (result_.points == before) return finished();
     }
-    band_.repair(mesh(), on_);
-    result_.gaps = find_gaps(band_, mesh(), on_, chains_);
+    look();
     return std::move(result_);
   }
 
  private:
   [[nodiscard]] const TetMesh& mesh() const { return triangulation_.mesh(); }
+
+  /// Finds the gaps that labels alone cannot close.
+  void look() {
+    band_.repair(mesh(), on_, chains_);
+    result_.gaps = find_gaps(band_, mesh(), on_, chains_);
+    std::vector<std::uint32_t> fans;
+    for (const Gap& gap : result_.gaps)
+      if (gap.kind == GapKind::kEdgeFan && gap.piece != UINT32_MAX) fans.push_back(gap.piece);
+    std::sort(fans.begin(), fans.end());
+    if (!fans.empty() && band_.repair_beside(mesh(), on_, chains_, fans) > 0)
+      result_.gaps = find_gaps(band_, mesh(), on_, chains_);
+  }
 
   /// Dual crossings are no holes: points may end them, but the mesh is right with them.
   AttributeResult finished() {
@@ -178,18 +188,20 @@ class AttributeLoop {
 
   void split(std::uint32_t piece) {
     const AttributePoint p = split_point(model_, mesh(), on_, chains_[piece]);
-    if (split_piece(piece, p.t, p.point, p.clearance)) match_edge_point(p.on.tag, p.t, p.point, p.clearance);
+    if (split_piece(piece, p.t, p.point, p.clearance))
+      match_edge_point(p.on.tag, p.t, p.point, p.clearance, kSheets);
   }
 
-  /// Partners on edges and faces for a point that has just split an edge.
-  void match_edge_point(int edge, double t, const Vec3& p, double clearance) {
+  /// Partners on edges and faces for a point that has just split an edge, and partners of these.
+  void match_edge_point(int edge, double t, const Vec3& p, double clearance, int sheets) {
+    if (sheets == 0) return;
     const TetId at = last_;
     const double reach = kMatchShare * clearance;
-    for (const EdgePartner& b : edges_.partners(edge, t, reach)) match_on_edge(b, clearance);
+    for (const EdgePartner& b : edges_.partners(edge, t, reach)) match_on_edge(b, clearance, sheets - 1);
     for (const FacePartner& b :
          face_partners(model_, model_edge(edge), p, model_.edge_derivative(edge, t), reach))
       if (match_on_face(model_face(b.face), b.point, clearance, at))
-        match_sheets(b.point, b.face, b.normal, clearance, kSheets);
+        match_sheets(b.point, b.face, b.normal, clearance, sheets - 1);
   }
 
   /// Whether the point went in: not where the face has one already.
@@ -198,12 +210,13 @@ class AttributeLoop {
     return !near_a_point_of(face, b, kSamePoint * clearance, near) && insert(b, face, near);
   }
 
-  void match_on_edge(const EdgePartner& b, double clearance) {
+  void match_on_edge(const EdgePartner& b, double clearance, int sheets) {
     const std::uint32_t n = chains_.piece_at(b.edge, b.t);
     const EdgePiece& piece = chains_[n];
     const double near = std::min((b.point - mesh().points[VertexId(piece.a)]).norm(),
                                  (b.point - mesh().points[VertexId(piece.b)]).norm());
-    if (near > kSamePoint * clearance) split_piece(n, b.t, b.point, near);
+    if (near > kSamePoint * clearance && split_piece(n, b.t, b.point, near))
+      match_edge_point(b.edge, b.t, b.point, near, sheets);
   }
 
   void split_at(int edge, double t) {
@@ -213,7 +226,7 @@ class AttributeLoop {
     if (share > 0.25 && share < 0.75) {
       const Vec3 p = model_.edge_point(edge, t);
       const double clearance = std::min(share, 1.0 - share) * model_.edge_length(edge, piece.ta, piece.tb);
-      if (split_piece(n, t, p, clearance)) match_edge_point(edge, t, p, clearance);
+      if (split_piece(n, t, p, clearance)) match_edge_point(edge, t, p, clearance, kSheets);
     } else {
       split(n);
     }
@@ -246,7 +259,8 @@ class AttributeLoop {
       const auto b = opposite_point(model_, a, face, normal, side, kMatchShare * clearance);
       if (!b || b->on.dim == 0) continue;
       if (b->on.dim == 1) {
-        match_on_edge({b->on.tag, model_.edge_closest(b->on.tag, b->point).t, b->point}, clearance);
+        match_on_edge({b->on.tag, model_.edge_closest(b->on.tag, b->point).t, b->point}, clearance,
+                      sheets - 1);
       } else if (b->normal.dot(normal) <= kFacing && match_on_face(b->on, b->point, clearance, at)) {
         match_sheets(b->point, b->on.tag, b->normal, clearance, sheets - 1);
       }

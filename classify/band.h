@@ -66,7 +66,13 @@ class Band {
   /// Moves tetrahedra of boundary points alone to the region across a facet that fits no model face, where
   /// that leaves fewer such facets around them: at cusps and creases a circumcentre may fall just beyond the
   /// boundary. Returns how many moved.
-  std::size_t repair(const TetMesh& mesh, std::span<const ModelRef> on);
+  std::size_t repair(const TetMesh& mesh, std::span<const ModelRef> on, const EdgeChains& chains);
+
+  /// Labels the tetrahedra around the given pieces, whose fans lack facets, anew: beside an edge of the model
+  /// it is known where a region begins, while a circumcentre may lie far beyond a thin gap there. Returns how
+  /// many moved.
+  std::size_t repair_beside(const TetMesh& mesh, std::span<const ModelRef> on, const EdgeChains& chains,
+                            std::span<const std::uint32_t> pieces);
 
   [[nodiscard]] int region(TetId t) const { return region_[t]; }
   /// Region of the model that holds p, 0 outside.
@@ -79,9 +85,10 @@ class Band {
 
  private:
   std::size_t repair_singly(const TetMesh& mesh, std::span<const ModelRef> on);
-  std::size_t repair_in_groups(const TetMesh& mesh, std::span<const ModelRef> on);
-  std::size_t relabel_group(const TetMesh& mesh, std::span<const ModelRef> on,
+  std::size_t repair_in_groups(const TetMesh& mesh, std::span<const ModelRef> on, const EdgeChains& chains);
+  std::size_t relabel_group(const TetMesh& mesh, std::span<const ModelRef> on, const EdgeChains& chains,
                             const std::vector<TetId>& group, int first, int second);
+  [[nodiscard]] int region_beside(const TetMesh& mesh, TetId t, const EdgePiece& piece) const;
   [[nodiscard]] std::vector<TetId> group_around(const TetMesh& mesh, std::span<const ModelRef> on, TetId a,
                                                 TetId b, int first, int second,
                                                 std::vector<std::uint8_t>& taken) const;

@@ -16,15 +16,57 @@ constexpr std::size_t kLargestGroup = 4000;
 /// A misfit costs as much as this many circumcentres on the wrong side: few enough that a thin sheet whose
 /// tetrahedra are all movable is not given away for a misfit or two.
 constexpr std::int64_t kMisfitCost = 12;
+/// So does a tetrahedron at a piece of an edge that lies on the wrong side of one of the edge's faces.
+constexpr std::int64_t kBesideCost = 4;
+
+/// Number of the piece along an edge of a tetrahedron, or UINT32_MAX.
+std::uint32_t piece_of(const TetMesh& mesh, std::span<const ModelRef> on, const EdgeChains& chains, TetId t,
+                       const int (&edge)[2]) {
+  const VertexId a = mesh.tets[t][edge[0]], b = mesh.tets[t][edge[1]];
+  return on[a.index()].dim > 1 || on[b.index()].dim > 1 ? UINT32_MAX : chains.find(a, b);
+}
 
 }  // namespace
 
-std::size_t Band::repair(const TetMesh& mesh, std::span<const ModelRef> on) {
+std::size_t Band::repair(const TetMesh& mesh, std::span<const ModelRef> on, const EdgeChains& chains) {
   const std::size_t singly = repair_singly(mesh, on);
-  return singly + repair_in_groups(mesh, on);
+  return singly + repair_in_groups(mesh, on, chains);
 }
 
-std::size_t Band::repair_in_groups(const TetMesh& mesh, std::span<const ModelRef> on) {
+std::size_t Band::repair_beside(const TetMesh& mesh, std::span<const ModelRef> on, const EdgeChains& chains,
+                                std::span<const std::uint32_t> pieces) {
+  std::vector<TetId> around;
+  const std::vector<std::uint32_t> sorted_pieces(pieces.begin(), pieces.end());
+  for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
+    const TetId t(i);
+    if (!mesh.alive(t) || !movable(mesh, on, t)) continue;
+    for (const auto& e : kTetEdge) {
+      const std::uint32_t n = piece_of(mesh, on, chains, t, e);
+      if (n != UINT32_MAX && std::binary_search(sorted_pieces.begin(), sorted_pieces.end(), n)) {
+        around.push_back(t);
+        break;
+      }
+    }
+  }
+  std::vector<std::uint8_t> taken(mesh.tets.size(), 0);
+  std::size_t moved = 0;
+  for (const TetId t : around) {
+    if (taken[t.index()]) continue;
+    for (const auto& e : kTetEdge) {
+      const std::uint32_t n = piece_of(mesh, on, chains, t, e);
+      if (n == UINT32_MAX) continue;
+      const int first = region_[t], second = region_beside(mesh, t, chains[n]);
+      if (first == second) continue;
+      const std::vector<TetId> group = group_around(mesh, on, t, t, first, second, taken);
+      moved += relabel_group(mesh, on, chains, group, first, second);
+      break;
+    }
+  }
+  return moved;
+}
+
+std::size_t Band::repair_in_groups(const TetMesh& mesh, std::span<const ModelRef> on,
+                                   const EdgeChains& chains) {
   struct Pair {
     TetId a, b;
   };
@@ -37,7 +79,7 @@ std::size_t Band::repair_in_groups(const TetMesh& mesh, std::span<const ModelRef
     const int first = region_[a], second = region_[b];
     if (first == second || taken[a.index()] || taken[b.index()]) continue;
     const std::vector<TetId> group = group_around(mesh, on, a, b, first, second, taken);
-    if (!group.empty()) moved += relabel_group(mesh, on, group, first, second);
+    if (!group.empty()) moved += relabel_group(mesh, on, chains, group, first, second);
   }
   return moved;
 }
@@ -61,7 +103,18 @@ std::vector<TetId> Band::group_around(const TetMesh& mesh, std::span<const Model
   return group;
 }
 
-std::size_t Band::relabel_group(const TetMesh& mesh, std::span<const ModelRef> on,
+/// Region of a place beside a piece of an edge, between the other two corners of a tetrahedron at it: nearer
+/// to these than to the piece, since at a cusp the region is thinner than the tetrahedron near the edge.
+int Band::region_beside(const TetMesh& mesh, TetId t, const EdgePiece& piece) const {
+  constexpr double kShare = 0.3;
+  const Vec3 on_edge = model_->edge_point(piece.edge, 0.5 * (piece.ta + piece.tb));
+  Vec3 across = Vec3::Zero();
+  for (const VertexId v : mesh.tets[t])
+    if (v.index() != piece.a && v.index() != piece.b) across += 0.5 * mesh.points[v];
+  return region_of_(kShare * on_edge + (1.0 - kShare) * across);
+}
+
+std::size_t Band::relabel_group(const TetMesh& mesh, std::span<const ModelRef> on, const EdgeChains& chains,
                                 const std::vector<TetId>& group, int first, int second) {
   std::map<TetId, std::uint32_t> node;
   for (const TetId t : group) node.emplace(t, static_cast<std::uint32_t>(node.size()));
@@ -76,6 +129,12 @@ std::size_t Band::relabel_group(const TetMesh& mesh, std::span<const ModelRef> o
         circumcentre(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], mesh.points[v[3]]);
     const int natural = c.reliable ? region_of_(c.point) : region_[t];
     labels.prefer(i, natural == second, natural == first);
+    for (const auto& e : kTetEdge) {
+      const std::uint32_t n = piece_of(mesh, on, chains, t, e);
+      if (n == UINT32_MAX) continue;
+      const int beside = region_beside(mesh, t, chains[n]);
+      labels.prefer(i, beside == second ? kBesideCost : 0, beside == first ? kBesideCost : 0);
+    }
     for (std::int8_t f = 0; f < 4; ++f) {
       const TetId n = mesh.neighbours[t][f];
       const auto inside = node.find(n);

@@ -89,6 +89,14 @@ TopoDS_Shape roof_over_rod() {
   return fuse(roof, rod({0, 1.5, 1.4}, gp::DX(), 1.1, 3));
 }
 
+/// A block with a round lower edge, and under it a foot whose top is hollowed by a cylinder across: at one
+/// corner three sheets touch the plane of the bottom, none of them at an angle.
+TopoDS_Shape foot_under_round() {
+  const TopoDS_Shape block = fuse(box(-1.5, 0, 0, 3, 2, 2), rod({-1.5, 0, 1}, gp::DX(), 1, 3));
+  const TopoDS_Shape foot = cut(box(-0.2, -0.2, 0, 0.2, 0.4, 0.2), rod({0, -1, 1}, gp::DY(), 1, 3));
+  return fuse(block, foot);
+}
+
 /// A rod with a hole along it whose wall is `wall` thick at its thinnest.
 TopoDS_Shape eccentric_hole(double wall) {
   return cut(rod({0, 0, 0}, gp::DZ(), 2, 3), rod({1 - wall, 0, -1}, gp::DZ(), 1, 5));
@@ -183,6 +191,7 @@ std::vector<FamilyPart> family_parts() {
   add("cusp_1_4", [] { return sunk_rod(1.5 * (1.0 - std::cos(1.4 * kDegree))); });
   add("roof_over_rod", [] { return roof_over_rod(); });
   add("skewed_roof", [] { return skewed_roof(); });
+  add("foot_under_round", [] { return foot_under_round(); });
   add("eccentric_hole_0_01", [] { return eccentric_hole(0.01); });
   add("tangent_rods", [] {
     return side_by_side(rod({0, 0, 0}, gp::DZ(), 1.5, 3), rod({3, 0, 0}, gp::DZ(), 1.5, 3));
