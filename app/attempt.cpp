@@ -5,6 +5,20 @@
 #include <algorithm>
 
 namespace octet {
+namespace {
+
+/// The least side of the box around a face.
+double least_extent(const Model& model, int face) {
+  const Facets& facets = model.facets();
+  Box3 box;
+  for (std::size_t n = 0; n < facets.triangles.size(); ++n) {
+    if (facets.face[n] != face) continue;
+    for (const Vec3& corner : facet_corners(facets, n)) box.add(corner);
+  }
+  return box.size().minCoeff();
+}
+
+}  // namespace
 
 int Attempt::region_of(const Model& model, const Vec3& p) const {
   const Vec3 x = p - tree.origin();
@@ -62,21 +76,38 @@ void classify(Attempt& attempt, const Model& model, double size, AttributeLimits
       close_gaps(attempt.triangulation, *attempt.band, *attempt.chains, attempt.on, edges, limits, observer);
 }
 
-std::optional<Octree> subdivide_at_gaps(const Attempt& attempt, double finest) {
-  const Octree& tree = attempt.tree;
+std::optional<Octree> subdivide_at_gaps(const Attempt& attempt, const Model& model, double finest) {
   std::vector<OctantId> octants;
+  const auto take = [&](const Octree& tree, OctantId o, double longest) {
+    if (tree.length(tree[o].level) > longest * (1.0 + 1e-9) && tree[o].level < kLatticeLevels)
+      octants.push_back(o);
+  };
+  const auto take_around = [&](const Octree& tree, const Vec3& place, double longest) {
+    const double half = 0.5 * tree.size_at(place);
+    for (int i = 0; i < 27; ++i)
+      take(tree, tree.find(place + half * Vec3(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1)), longest);
+  };
+  for (const Gap& gap : attempt.closed.gaps) take_around(attempt.tree, gap.place, finest);
+  for (const std::size_t cell : attempt.closed.crowded) take(attempt.tree, OctantId(cell), finest);
+  std::optional<Octree> finer;
+  const auto refine_taken = [&](const Octree& tree) {
+    std::sort(octants.begin(), octants.end());
+    octants.erase(std::unique(octants.begin(), octants.end()), octants.end());
+    finer = refine(tree, octants);
+    octants.clear();
+  };
+  if (!octants.empty()) refine_taken(attempt.tree);
+  // A face that lies between the octants' edges is met by octants of half its extent.
   for (const Gap& gap : attempt.closed.gaps) {
-    const double half = 0.5 * tree.size_at(gap.place);
-    for (int i = 0; i < 27; ++i) {
-      const OctantId o = tree.find(gap.place + half * Vec3(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1));
-      if (tree.length(tree[o].level) > finest * (1.0 + 1e-9) && tree[o].level < kLatticeLevels)
-        octants.push_back(o);
+    if (gap.kind != GapKind::kBareFace) continue;
+    const double longest = std::max(finest, 0.5 * least_extent(model, gap.entity.tag));
+    while (finer) {
+      take_around(*finer, gap.place, longest);
+      if (octants.empty()) break;
+      refine_taken(*finer);
     }
   }
-  std::sort(octants.begin(), octants.end());
-  octants.erase(std::unique(octants.begin(), octants.end()), octants.end());
-  if (octants.empty()) return std::nullopt;
-  return refine(tree, octants);
+  return finer;
 }
 
 }  // namespace octet

@@ -45,8 +45,10 @@ void place_points(Attempt& attempt, const Model& model, double size);
 void triangulate(Attempt& attempt, const Model& model);
 void classify(Attempt& attempt, const Model& model, double size, AttributeLimits limits, Observer& observer);
 
-/// The tree with the octants around the gaps that are left refined once [Schroeder & Shephard 1990, "Octant
-/// subdivision"]; octants no longer than `finest` stay. None when none can be refined.
-[[nodiscard]] std::optional<Octree> subdivide_at_gaps(const Attempt& attempt, double finest);
+/// The tree with the octants around the gaps that are left, and those whose gaps took many points, refined
+/// once [Schroeder & Shephard 1990, "Octant subdivision"]; octants no longer than `finest` stay. None when
+/// none can be refined.
+[[nodiscard]] std::optional<Octree> subdivide_at_gaps(const Attempt& attempt, const Model& model,
+                                                      double finest);
 
 }  // namespace octet

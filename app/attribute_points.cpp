@@ -51,7 +51,7 @@ class AttributeLoop {
       if (result_.points == before) return finished();
     }
     look();
-    return std::move(result_);
+    return finished();
   }
 
  private:
@@ -72,7 +72,17 @@ class AttributeLoop {
   /// Dual crossings are no holes: points may end them, but the mesh is right with them.
   AttributeResult finished() {
     std::erase_if(result_.gaps, [](const Gap& gap) { return gap.kind == GapKind::kDualCrossing; });
+    if (!result_.gaps.empty()) list_crowded_cells();
     return std::move(result_);
+  }
+
+  /// A cell that took as many points as its eight parts would have had is too large for the part there.
+  void list_crowded_cells() {
+    constexpr std::size_t kCrowd = 8;
+    for (const auto& [cell, points] : spent_) {
+      if (points >= kCrowd) result_.crowded.push_back(cell);
+    }
+    std::sort(result_.crowded.begin(), result_.crowded.end());
   }
 
   /// Once the surface is closed. What a few rounds do not part stays: a closed surface with each face's
@@ -97,17 +107,17 @@ class AttributeLoop {
         }));
     if (looks_++ == 0) first_ = now;
     fewest_ = std::min(fewest_, now);
-    result_.hopeless = looks_ >= kLooks && now > first_ / 2 + kMany;
-    return result_.hopeless || (result_.rounds >= kPatience && now > kGrowth * fewest_ + kFew);
+    return (looks_ >= kLooks && now > first_ / 2 + kMany) ||
+           (result_.rounds >= kPatience && now > kGrowth * fewest_ + kFew);
   }
 
   [[nodiscard]] std::string round_text() const {
-    std::array<std::size_t, 6> kinds{};
+    std::array<std::size_t, 7> kinds{};
     for (const Gap& gap : result_.gaps) ++kinds[static_cast<std::size_t>(gap.kind)];
     return fmt::format(
         "round {}: {} attribute points; gaps: {} edge pieces, {} faceless, {} edge fans, {} vertex fans, {} "
-        "bare, {} dual crossings",
-        result_.rounds, result_.points, kinds[0], kinds[1], kinds[2], kinds[3], kinds[4], kinds[5]);
+        "bare vertices, {} bare faces, {} dual crossings",
+        result_.rounds, result_.points, kinds[0], kinds[1], kinds[2], kinds[3], kinds[4], kinds[5], kinds[6]);
   }
 
   /// Points spent on the gaps of the cell that holds a place.
@@ -134,6 +144,7 @@ class AttributeLoop {
       close_bare_vertex(gap);
       return;
     }
+    if (gap.kind == GapKind::kBareFace) return;  // smaller octants find it
     if (changed(gap.tet) || changed(mesh().neighbours[gap.tet][gap.local])) return;
     const auto point = facet_point(model_, mesh(), on_, gap.tet, gap.local, limits_.floor);
     if (!point) {

@@ -28,9 +28,9 @@ struct AttributeLimits {
 struct AttributeResult {
   std::vector<Gap> gaps;  ///< what is left
   std::size_t rounds = 0;
-  std::size_t points = 0;    ///< inserted
-  std::size_t rejected = 0;  ///< wanted, but closer than the floor to another point
-  bool hopeless = false;     ///< gaps all over the part, and points do not make them fewer
+  std::size_t points = 0;            ///< inserted
+  std::size_t rejected = 0;          ///< wanted, but closer than the floor to another point
+  std::vector<std::size_t> crowded;  ///< where gaps are left: the cells whose gaps took many points, sorted
 };
 
 /// Inserts attribute points into the triangulation, in matched pairs, until find_gaps() is empty or a limit

@@ -26,8 +26,10 @@
 namespace octet {
 namespace {
 
-/// How often octants are subdivided where gaps survive.
-constexpr int kSubdivisions = 2;
+/// How often octants are subdivided where gaps survive, and how often in a row without fewer gaps where the
+/// tree has more octants than a moment's work.
+constexpr int kSubdivisions = 6, kPatience = 2;
+constexpr std::size_t kCheapTree = 20'000;
 /// Attribute points for the gaps of one octant. Where gaps closed, in eight parts with small features, no
 /// octant took more than 23; where they did not, octants took hundreds.
 constexpr std::size_t kPointsPerOctant = 60;
@@ -129,23 +131,34 @@ class Run {
   /// Points, triangulation, attribute points; where gaps survive, their octants are subdivided and the band
   /// is made anew. The attempt with the fewest gaps is kept.
   void mesh_band(Octree tree) {
-    for (int depth = 0;; ++depth) {
+    for (int depth = 0, best = 0;; ++depth) {
       auto next = attempt(std::move(tree));
       result_.report.attribute_points += next->closed.points;
       result_.report.rounds += next->closed.rounds;
-      const bool better = !band_ || next->closed.gaps.size() < band_->closed.gaps.size();
+      const bool better = !band_ || openness(next->closed) < openness(band_->closed);
+      if (better) best = depth;
+      std::optional<Octree> finer;
+      if (!next->closed.gaps.empty() && depth < kSubdivisions)
+        finer = subdivide_at_gaps(*next, model_, 0.5 * finest_octant());
+      if (finer && depth - best >= kPatience && finer->size() > kCheapTree) finer.reset();
+      if (finer)
+        observer_.note(fmt::format("{} gaps left: their octants subdivided, {} octants now",
+                                   next->closed.gaps.size(), finer->size()));
       if (better) band_ = std::move(next);
-      if (band_->closed.gaps.empty() || band_->closed.hopeless || !better || depth == kSubdivisions) break;
-      std::optional<Octree> finer = subdivide_at_gaps(*band_, 0.5 * finest_octant());
       if (!finer) break;
-      observer_.note(fmt::format("{} gaps left: their octants subdivided, {} octants now",
-                                 band_->closed.gaps.size(), finer->size()));
       tree = std::move(*finer);
     }
     broken_ = broken_regions(*band_, model_);
     auto& faults = result_.report.faults;
     faults = describe_left_out(*band_, model_, broken_);
     for (const Gap& gap : band_->closed.gaps) faults.push_back(describe_gap(model_, gap));
+  }
+
+  /// How many holes an attempt left; facets are not looked at while edges lack pieces, so that says the most.
+  [[nodiscard]] static std::pair<bool, std::size_t> openness(const AttributeResult& closed) {
+    const bool no_edges = std::any_of(closed.gaps.begin(), closed.gaps.end(),
+                                      [](const Gap& gap) { return gap.kind == GapKind::kMissingPiece; });
+    return {no_edges, closed.gaps.size()};
   }
 
   [[nodiscard]] double finest_octant() const { return plan_.min_size / kEdgePerOctant; }

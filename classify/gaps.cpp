@@ -50,6 +50,7 @@ class GapFinder {
       if ((*facets_)[n].face == 0) add_facet(GapKind::kNoFace, n, ModelRef{});
     edges();
     vertices();
+    bare_faces();
     return std::move(gaps_);
   }
 
@@ -170,6 +171,23 @@ class GapFinder {
         gap.vertex = VertexId(v);
         gaps_.push_back(gap);
       }
+  }
+
+  /// Only a closed face without edges of its own can be missed as a whole: what has edges has their gaps.
+  void bare_faces() {
+    std::vector<std::uint8_t> covered(static_cast<std::size_t>(model_.count(2)) + 1, 0);
+    for (const BoundaryFacet& f : *facets_) covered[static_cast<std::size_t>(f.face)] = 1;
+    for (int face = 1; face <= model_.count(2); ++face) {
+      if (covered[static_cast<std::size_t>(face)] || !bounds_a_region(face)) continue;
+      Gap gap;
+      gap.kind = GapKind::kBareFace;
+      gap.entity = model_face(face);
+      const Facets& exact = model_.facets();
+      const auto first = std::find(exact.face.begin(), exact.face.end(), face);
+      if (first == exact.face.end()) continue;
+      gap.place = facet_corners(exact, static_cast<std::size_t>(first - exact.face.begin()))[0];
+      gaps_.push_back(gap);
+    }
   }
 
   [[nodiscard]] bool bounds_a_region(int face) const {
@@ -397,6 +415,9 @@ Fault describe_gap(const Model& model, const Gap& gap) {
       break;
     case GapKind::kBareVertex:
       fault.cause = who + " is not covered by mesh faces around a point on it";
+      break;
+    case GapKind::kBareFace:
+      fault.cause = "no mesh face lies on " + who;
       break;
     case GapKind::kDualCrossing:
       fault.cause = "a mesh face on " + who + " stands for more than one sheet of the boundary";

@@ -16,11 +16,12 @@ enum class GapKind {
   kEdgeFan,       ///< a mesh edge whose facets are not those of its model entity
   kVertexFan,     ///< a vertex whose facets are not one disk (one fan a face corner)
   kBareVertex,    ///< a point on the boundary with no facet at all
+  kBareFace,      ///< a model face with no facet at all: it lies between the octants' edges
   kDualCrossing,  ///< a facet whose dual segment crosses its face more than once, or a face far from it
 };
 
 /// One hole. `piece` is set for kMissingPiece and for fans of a piece; `tet` and `local` (a facet) for the
-/// others but kBareVertex.
+/// others but kBareVertex and kBareFace.
 struct Gap {
   GapKind kind = GapKind::kNoFace;
   ModelRef entity;

@@ -31,6 +31,21 @@ TEST_P(Families, AreComplete) {
   EXPECT_GT(result.report.tets, 0u);
 }
 
+class CoarseSizes : public testing::TestWithParam<test::FamilyPart> {};
+
+/// The size is a wish: octants grow smaller where the part does not fit between them.
+TEST_P(CoarseSizes, AHalfOfThePartAsTheSizeIsComplete) {
+  const Model model = model_from_shape(GetParam().build());
+  MeshOptions options;
+  options.size = 0.5 * model.diagonal();
+  options.wall_elements = 0.0;
+  options.gap_elements = options.curvature_angle = 0.0;
+  const MeshResult result = mesh_part(model, options);
+  for (const Fault& fault : result.report.faults)
+    ADD_FAILURE() << model.describe(fault.entity) << " at " << fault.place.transpose() << ": " << fault.cause;
+  EXPECT_EQ(result.report.status, MeshStatus::kComplete);
+}
+
 TEST(Bugs, PartsThatOnceFailedAreComplete) {
   int parts = 0;
   for (const auto& file : std::filesystem::directory_iterator(OCTET_MODELS "/bugs")) {
@@ -53,6 +68,9 @@ INSTANTIATE_TEST_SUITE_P(AllTurns, Families,
                            return std::get<0>(info.param).name + "_turn_" +
                                   std::to_string(std::get<1>(info.param));
                          });
+
+INSTANTIATE_TEST_SUITE_P(All, CoarseSizes, testing::ValuesIn(test::family_parts()),
+                         [](const auto& info) { return info.param.name; });
 
 }  // namespace
 }  // namespace octet

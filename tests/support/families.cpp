@@ -207,6 +207,7 @@ std::vector<FamilyPart> family_parts() {
   add("fillets_0_05", [] { return rounded_box(0.05); });
   add("boxes_at_an_edge", [] { return side_by_side(box(0, 0, 0, 2, 2, 2), box(2, 2, 0, 2, 2, 2)); });
   add("boxes_at_a_vertex", [] { return side_by_side(box(0, 0, 0, 2, 2, 2), box(2, 2, 2, 2, 2, 2)); });
+  add("small_void", [] { return cut(box(-2, -2, -2, 4, 4, 4), ball(0.37, 0.05)); });
   add("balls_at_a_point", [] { return side_by_side(cut(ball(0, 3), ball(1, 2)), ball(1, 2)); });
   return parts;
 }
