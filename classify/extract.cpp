@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/bucket_sort.h"
+
 namespace octet {
 namespace {
 
@@ -46,6 +48,23 @@ int nearest_face(const Model& model, const Vec3& p) {
   return foot ? foot->face : 1;
 }
 
+/// Tetrahedra in the order of their lowest vertices, so that neighbours lie near each other in memory too.
+void order_by_vertices(Mesh& mesh) {
+  struct Placed {
+    std::array<Mesh::Index, 4> tet;
+    std::int32_t region;
+  };
+  const auto lowest = [](const Placed& p) { return *std::min_element(p.tet.begin(), p.tet.end()); };
+  std::vector<Placed> placed(mesh.tets.size());
+  for (std::size_t i = 0; i < placed.size(); ++i) placed[i] = {mesh.tets[i], mesh.tet_in[i]};
+  bucket_sort(placed, mesh.points.size(), lowest,
+              [](const Placed& a, const Placed& b) { return a.tet < b.tet; });
+  for (std::size_t i = 0; i < placed.size(); ++i) {
+    mesh.tets[i] = placed[i].tet;
+    mesh.tet_in[i] = placed[i].region;
+  }
+}
+
 }  // namespace
 
 Mesh extract_mesh(Band& band, const TetMesh& tets, std::span<const Vec3> points, std::span<const ModelRef> on,
@@ -77,6 +96,7 @@ Mesh extract_mesh(Band& band, const TetMesh& tets, std::span<const Vec3> points,
     mesh.tets.push_back({out(v[0]), out(v[1]), out(v[2]), out(v[3])});
     mesh.tet_in.push_back(extra.region[i]);
   }
+  order_by_vertices(mesh);
   for (const BoundaryFacet& f : band.facets(tets, on)) {
     std::array<std::uint32_t, 3> v{out(f.v[0].index()), out(f.v[1].index()), out(f.v[2].index())};
     const int face =
