@@ -50,33 +50,6 @@ int face_beyond(const Complex& complex, TetId outer, TetId inner, int face) {
   return complex.index_of(outer, VertexId(all(v) ^ all(w) ^ w[face].index()));
 }
 
-// Index of `n` among the neighbours of t; requires that it is one.
-int face_towards(const Complex& complex, TetId t, TetId n) {
-  const auto& around = complex.mesh.neighbours[t];
-  return around[0] == n ? 0 : around[1] == n ? 1 : around[2] == n ? 2 : 3;
-}
-
-// The boundary facet next to `start` around the edge that faces start.face and `across` of start.inner share,
-// found by turning around that edge through the cavity; and the index, in the new tetrahedron on that facet,
-// of the face that holds the edge and the new vertex.
-struct Turn {
-  TetId fresh;
-  int face;
-};
-Turn turn_around_edge(const Complex& complex, const CavityFace& start, int across,
-                      std::uint32_t cavity_mark) {
-  TetId t = start.inner;
-  int pivot = start.face;
-  for (;;) {
-    const TetId n = complex.mesh.neighbours[t][across];
-    if (complex.mark[n] != cavity_mark) return {n, pivot};
-    const VertexId opposite = complex.mesh.tets[t][pivot];
-    pivot = face_towards(complex, n, t);
-    across = complex.index_of(n, opposite);
-    t = n;
-  }
-}
-
 }  // namespace
 
 bool in_conflict(const Complex& complex, TetId t, const Vec3& point, std::uint64_t rank) {
@@ -115,14 +88,15 @@ void find_cavity(const Complex& complex, TetId seed, const Vec3& point, std::uin
 void replace_cavity(Complex& complex, Inserter& inserter, VertexId v) {
   TetMesh& mesh = complex.mesh;
   const std::uint32_t cavity_mark = 2 * inserter.epoch + 1;
-  auto& [block, free_slots, epoch, last, cavity, created, boundary] = inserter;
+  auto& [block, free_slots, epoch, last, cavity, created, base, rim] = inserter;
   created.clear();
-  boundary.clear();
+  base.clear();
+  rim.begin(3 * most_replacements(cavity));
 
   // Each boundary facet gets a tetrahedron: the inner one with its opposite vertex replaced by v, which keeps
-  // the orientation. The inner one then points to the new one.
+  // the orientation. Those on two sides of an edge find each other by it.
   for (const TetId t : cavity) {
-    for (int i = 0; i < 4; ++i) {
+    for (std::int8_t i = 0; i < 4; ++i) {
       const TetId outer = mesh.neighbours[t][i];
       if (complex.mark[outer] == cavity_mark) continue;
       const TetId fresh = free_slots.back();
@@ -130,23 +104,21 @@ void replace_cavity(Complex& complex, Inserter& inserter, VertexId v) {
       auto vertices = mesh.tets[t];
       vertices[i] = v;
       mesh.tets[fresh] = vertices;
-      mesh.neighbours[fresh] = {};
       mesh.neighbours[fresh][i] = outer;
       mesh.neighbours[outer][face_beyond(complex, outer, t, i)] = fresh;
-      mesh.neighbours[t][i] = fresh;
-      boundary.push_back({t, i});
+      const auto& f = kTetFace[i];
+      for (int k = 0; k < 3; ++k) rim.put(vertices[f[k]], vertices[f[(k + 1) % 3]], fresh);
       created.push_back(fresh);
+      base.push_back(i);
     }
   }
-  for (std::size_t k = 0; k < boundary.size(); ++k) {
-    const TetId fresh = created[k];
-    for (int j = 0; j < 4; ++j) {
-      if (mesh.neighbours[fresh][j].valid()) continue;
-      const Turn other = turn_around_edge(complex, boundary[k], j, cavity_mark);
-      mesh.neighbours[fresh][j] = other.fresh;
-      mesh.neighbours[other.fresh][other.face] = fresh;
-    }
-    for (const VertexId w : mesh.tets[fresh]) {
+  for (std::size_t n = 0; n < created.size(); ++n) {
+    const TetId fresh = created[n];
+    const auto& vertices = mesh.tets[fresh];
+    const auto& f = kTetFace[base[n]];
+    for (int k = 0; k < 3; ++k)
+      mesh.neighbours[fresh][f[(k + 2) % 3]] = rim.at(vertices[f[(k + 1) % 3]], vertices[f[k]]);
+    for (const VertexId w : vertices) {
       if (w != kGhostVertex) complex.vertex_tet[w] = fresh;
     }
   }

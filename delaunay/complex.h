@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "delaunay/rim_table.h"
 #include "mesh/tet_mesh.h"
 
 namespace octet {
@@ -60,12 +61,6 @@ struct Block {
   }
 };
 
-/// One face of a cavity's boundary: face `face` of the cavity's tetrahedron `inner`.
-struct CavityFace {
-  TetId inner;
-  int face = 0;
-};
-
 /// What one thread of insertion has to itself. Several work on one complex at once when their blocks have no
 /// vertex in common: each reads and writes tetrahedra in its block, reads those that share a face with them,
 /// and of these writes the one neighbour that is its own.
@@ -75,7 +70,8 @@ struct Inserter {
   std::uint32_t epoch = 0;        ///< marks are twice that, plus one in the cavity
   TetId last;                     ///< the tetrahedron made last: where walks start by default
   std::vector<TetId> cavity, created;
-  std::vector<CavityFace> boundary;
+  std::vector<std::int8_t> base;  ///< per created tetrahedron: the face that is on the cavity's boundary
+  RimTable rim;
 };
 
 }  // namespace octet
