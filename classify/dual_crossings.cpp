@@ -6,7 +6,9 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <string_view>
 
+#include "geom/facet_bvh.h"
 #include "mesh/circumcentre.h"
 
 namespace octet {
@@ -36,6 +38,14 @@ bool share_an_entity(const Model& model, int a, int b) {
     if (std::binary_search(faces.begin(), faces.end(), b)) return true;
   }
   return false;
+}
+
+/// Whether the segment comes near no other face, and that one is a plane: then it crosses it once at most.
+bool meets_one_plane(const Model& model, int face, const Vec3& p, const Vec3& q) {
+  bool alone = std::string_view(model.surface(face).kind()) == "plane";
+  if (alone)
+    model.bvh().visit_segment(p, q, [&](std::uint32_t t) { alone &= model.facets().face[t] == face; });
+  return alone;
 }
 
 /// Whether the crossings are more than the one of `face`, among its neighbours at most.
@@ -76,7 +86,7 @@ std::vector<Gap> find_dual_crossings(Band& band, const TetMesh& mesh, std::span<
       const BoundaryFacet& facet = facets[n];
       if (facet.face == 0) continue;
       const DualSegment dual = dual_segment(mesh, facet.tet, facet.local);
-      if (!dual.exact) continue;
+      if (!dual.exact || meets_one_plane(model, facet.face, dual.inner, dual.outer)) continue;
       hits.clear();
       model.intersect(dual.inner, dual.outer, hits);
       if (!is_more_than(model, facet.face, hits)) continue;

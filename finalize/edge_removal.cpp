@@ -102,8 +102,9 @@ struct Aim {
   }
 };
 
-Triangulation2D triangulate(const WorkMesh& mesh, const EdgeRing& ring, const Sector& sector,
-                            const Aim& aim) {
+/// For the mean, values not above `least` are not of interest: what is found then means nothing.
+Triangulation2D triangulate(const WorkMesh& mesh, const EdgeRing& ring, const Sector& sector, const Aim& aim,
+                            double least) {
   const int n = sector.count;
   const Vec3 &a = mesh.points[ring.a], &b = mesh.points[ring.b];
   std::array<Vec3, kMaxRim + 1> p;
@@ -115,7 +116,7 @@ Triangulation2D triangulate(const WorkMesh& mesh, const EdgeRing& ring, const Se
   for (int span = 2; span < n; ++span) {
     for (int i = 0; i + span < n; ++i) {
       const int j = i + span;
-      best[i][j] = nothing;
+      best[i][j] = aim.mean && span + 1 == n ? least : nothing;
       for (int k = i + 1; k < j; ++k) {
         double value = aim.join(best[i][k], best[k][j]);
         // Worst: a bound; mean: each further tetrahedron adds kMeritOfPerfect at most.
@@ -234,7 +235,13 @@ bool fill_plan(const Workshop& shop, const EdgeRing& ring, const Aim& aim, doubl
   if (!collect_sectors(mesh, ring, plan.sectors)) return false;
   plan.value = aim.of_none();
   for (std::size_t i = 0; i < plan.sectors.count; ++i) {
-    plan.triangulations[i] = triangulate(mesh, ring, plan.sectors[i], aim);
+    // What the sectors still to come can add to the mean at most.
+    double hope = 0.0;
+    for (std::size_t k = i + 1; k < plan.sectors.count; ++k)
+      hope += 2.0 * std::max(plan.sectors[k].count - 2, 0) * kMeritOfPerfect;
+    const double needed = least - plan.value - hope;
+    plan.triangulations[i] = triangulate(mesh, ring, plan.sectors[i], aim, needed);
+    if (aim.mean && plan.triangulations[i].value <= needed) return false;
     plan.value = aim.join(plan.value, plan.triangulations[i].value);
     plan.work += plan.triangulations[i].work;
     if (!aim.mean && plan.value <= least) return false;

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <functional>
+#include <limits>
+#include <vector>
 
 #include "base/blocks.h"
 
@@ -14,6 +16,34 @@ namespace {
 /// Tetrahedra a task.
 constexpr std::size_t kBlock = 16384;
 
+/// Squared cotangents with their signs, of the smallest and of the largest dihedral angle: they fall as the
+/// angle grows, so that angles are compared without roots and arcs.
+struct Cotangents {
+  double smallest = std::numeric_limits<double>::infinity(),
+         largest = -std::numeric_limits<double>::infinity();
+};
+
+double angle_of(double squared_cotangent) {
+  return std::atan2(1.0, std::copysign(std::sqrt(std::abs(squared_cotangent)), squared_cotangent));
+}
+
+Cotangents cotangents(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const Vec3 ab = b - a, ac = c - a, ad = d - a, bc = c - b, bd = d - b;
+  // Outward normals of the faces opposite a, b, c, d.
+  const Vec3 normal[4] = {bc.cross(bd), ad.cross(ac), ab.cross(ad), ac.cross(ab)};
+  const double six_volumes = ab.cross(ac).dot(ad);
+  if (!(six_volumes > 0.0)) return {};
+  // |n_i x n_j| = 6 V |edge|, so the cotangent of an angle is -n_i n_j / (6 V |edge|), which stays accurate
+  // for flat tetrahedra.
+  const auto square = [&](int i, int j, const Vec3& edge) {
+    const double x = -normal[i].dot(normal[j]) / six_volumes;
+    return x * std::abs(x) / edge.squaredNorm();
+  };
+  const auto [least, most] = std::minmax({square(0, 1, d - c), square(0, 2, bd), square(0, 3, bc),
+                                          square(1, 2, ad), square(1, 3, ac), square(2, 3, ab)});
+  return {most, least};
+}
+
 }  // namespace
 
 double signed_volume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
@@ -21,32 +51,8 @@ double signed_volume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
 }
 
 DihedralRange dihedral_range(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  const Vec3 ab = b - a, ac = c - a, ad = d - a, bc = c - b, bd = d - b;
-  // Outward normals of the faces opposite a, b, c, d.
-  const Vec3 normal[4] = {bc.cross(bd), ad.cross(ac), ab.cross(ad), ac.cross(ab)};
-  const double six_volumes = ab.cross(ac).dot(ad);
-  if (!(six_volumes > 0.0)) return {0.0, std::numbers::pi};
-  // |n_i x n_j| = 6 V |edge|, so the cotangent of an angle is -n_i n_j / (6 V |edge|), which stays accurate
-  // for flat tetrahedra. It falls as the angle grows, and so does its square with its sign: the extremes are
-  // found without roots and arcs.
-  struct Angle {
-    double cosine, squared_edge, order;
-    [[nodiscard]] double of(double six_volumes) const {
-      return std::atan2(six_volumes * std::sqrt(squared_edge), cosine);
-    }
-  };
-  const auto angle = [&](int i, int j, const Vec3& edge) {
-    const double cosine = -normal[i].dot(normal[j]), squared_edge = edge.squaredNorm();
-    return Angle{cosine, squared_edge, cosine * std::abs(cosine) / squared_edge};
-  };
-  const Angle angles[6] = {angle(0, 1, d - c), angle(0, 2, bd), angle(0, 3, bc),
-                           angle(1, 2, ad),    angle(1, 3, ac), angle(2, 3, ab)};
-  const Angle *smallest = angles, *largest = angles;
-  for (const Angle& x : angles) {
-    if (x.order > smallest->order) smallest = &x;
-    if (x.order < largest->order) largest = &x;
-  }
-  return {smallest->of(six_volumes), largest->of(six_volumes)};
+  const Cotangents range = cotangents(a, b, c, d);
+  return {angle_of(range.smallest), angle_of(range.largest)};
 }
 
 double mean_ratio(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
@@ -87,45 +93,43 @@ QualitySummary quality_summary(const Mesh& mesh) {
   QualitySummary summary;
   summary.tets = mesh.tets.size();
   if (mesh.tets.empty()) return summary;
-  std::vector<double> smallest(mesh.tets.size());
-  summary.min_dihedral = std::numbers::pi;
-  summary.min_mean_ratio = 1.0;
-  double sum = 0.0;
-  // The mean of a block's elements stands in its mean_mean_ratio as a sum.
+  std::vector<double> smallest(mesh.tets.size());  // angles' cotangents
+  struct Block {
+    Cotangents range{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+    double least_ratio = 1.0, sum_of_ratios = 0.0;
+    std::size_t worst = 0;
+
+    void add(const Block& other) {
+      if (other.range.smallest > range.smallest) worst = other.worst;
+      range.smallest = std::max(range.smallest, other.range.smallest);
+      range.largest = std::min(range.largest, other.range.largest);
+      least_ratio = std::min(least_ratio, other.least_ratio);
+      sum_of_ratios += other.sum_of_ratios;
+    }
+  };
   const auto of_block = [&](std::size_t first, std::size_t last) {
-    QualitySummary block;
-    block.min_dihedral = std::numbers::pi;
-    block.min_mean_ratio = 1.0;
+    Block block;
     for (std::size_t t = first; t < last; ++t) {
       const auto& v = mesh.tets[t];
       const Vec3 &a = mesh.points[v[0]], &b = mesh.points[v[1]], &c = mesh.points[v[2]],
                  &d = mesh.points[v[3]];
-      const DihedralRange range = dihedral_range(a, b, c, d);
       const double ratio = mean_ratio(a, b, c, d);
-      smallest[t] = range.smallest;
-      if (range.smallest < block.min_dihedral) {
-        block.min_dihedral = range.smallest;
-        block.worst_tet = t;
-      }
-      block.max_dihedral = std::max(block.max_dihedral, range.largest);
-      block.min_mean_ratio = std::min(block.min_mean_ratio, ratio);
-      block.mean_mean_ratio += ratio;
+      const Block one{cotangents(a, b, c, d), ratio, ratio, t};
+      smallest[t] = one.range.smallest;
+      block.add(one);
     }
     return block;
   };
-  for (const QualitySummary& block : map_blocks<QualitySummary>(mesh.tets.size(), kBlock, of_block)) {
-    if (block.min_dihedral < summary.min_dihedral) {
-      summary.min_dihedral = block.min_dihedral;
-      summary.worst_tet = block.worst_tet;
-    }
-    summary.max_dihedral = std::max(summary.max_dihedral, block.max_dihedral);
-    summary.min_mean_ratio = std::min(summary.min_mean_ratio, block.min_mean_ratio);
-    sum += block.mean_mean_ratio;
-  }
-  summary.mean_mean_ratio = sum / static_cast<double>(mesh.tets.size());
+  Block whole;
+  for (const Block& block : map_blocks<Block>(mesh.tets.size(), kBlock, of_block)) whole.add(block);
+  summary.min_dihedral = angle_of(whole.range.smallest);
+  summary.max_dihedral = angle_of(whole.range.largest);
+  summary.worst_tet = whole.worst;
+  summary.min_mean_ratio = whole.least_ratio;
+  summary.mean_mean_ratio = whole.sum_of_ratios / static_cast<double>(mesh.tets.size());
   const auto percentile = smallest.begin() + static_cast<std::ptrdiff_t>(mesh.tets.size() / 100);
-  std::nth_element(smallest.begin(), percentile, smallest.end());
-  summary.p1_min_dihedral = *percentile;
+  std::nth_element(smallest.begin(), percentile, smallest.end(), std::greater<>());
+  summary.p1_min_dihedral = angle_of(*percentile);
   return summary;
 }
 
