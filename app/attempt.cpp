@@ -18,6 +18,46 @@ double least_extent(const Model& model, int face) {
   return box.size().minCoeff();
 }
 
+/// Octants of a tree that are to be refined; none becomes shorter than half of `finest`.
+class Subdivision {
+ public:
+  Subdivision(const Octree& tree, double finest) : tree_(tree), finest_(finest) {}
+
+  void take(OctantId o, double longest) {
+    if (tree_.length(tree_[o].level) > longest * (1.0 + 1e-9) && tree_[o].level < kLatticeLevels)
+      octants_.push_back(o);
+  }
+  /// The octant that holds a place, and those beside it.
+  void take_around(const Vec3& place) { take_around(place, finest_); }
+
+  /// False, and nothing done, when no octant was taken.
+  bool refine_taken() {
+    if (octants_.empty()) return false;
+    std::sort(octants_.begin(), octants_.end());
+    octants_.erase(std::unique(octants_.begin(), octants_.end()), octants_.end());
+    tree_ = refine(tree_, octants_);
+    octants_.clear();
+    return true;
+  }
+  /// Octants around a place no longer than this.
+  void refine_to(const Vec3& place, double longest) {
+    do take_around(place, std::max(longest, finest_));
+    while (refine_taken());
+  }
+  [[nodiscard]] Octree tree() && { return std::move(tree_); }
+
+ private:
+  void take_around(const Vec3& place, double longest) {
+    const double half = 0.5 * tree_.size_at(place);
+    for (int i = 0; i < 27; ++i)
+      take(tree_.find(place + half * Vec3(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1)), longest);
+  }
+
+  Octree tree_;
+  double finest_;
+  std::vector<OctantId> octants_;
+};
+
 }  // namespace
 
 int Attempt::region_of(const Model& model, const Vec3& p) const {
@@ -77,37 +117,22 @@ void classify(Attempt& attempt, const Model& model, double size, AttributeLimits
 }
 
 std::optional<Octree> subdivide_at_gaps(const Attempt& attempt, const Model& model, double finest) {
-  std::vector<OctantId> octants;
-  const auto take = [&](const Octree& tree, OctantId o, double longest) {
-    if (tree.length(tree[o].level) > longest * (1.0 + 1e-9) && tree[o].level < kLatticeLevels)
-      octants.push_back(o);
-  };
-  const auto take_around = [&](const Octree& tree, const Vec3& place, double longest) {
-    const double half = 0.5 * tree.size_at(place);
-    for (int i = 0; i < 27; ++i)
-      take(tree, tree.find(place + half * Vec3(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1)), longest);
-  };
-  for (const Gap& gap : attempt.closed.gaps) take_around(attempt.tree, gap.place, finest);
-  for (const std::size_t cell : attempt.closed.crowded) take(attempt.tree, OctantId(cell), finest);
-  std::optional<Octree> finer;
-  const auto refine_taken = [&](const Octree& tree) {
-    std::sort(octants.begin(), octants.end());
-    octants.erase(std::unique(octants.begin(), octants.end()), octants.end());
-    finer = refine(tree, octants);
-    octants.clear();
-  };
-  if (!octants.empty()) refine_taken(attempt.tree);
-  // A face that lies between the octants' edges is met by octants of half its extent.
+  Subdivision subdivision(attempt.tree, finest);
+  for (const Gap& gap : attempt.closed.gaps) subdivision.take_around(gap.place);
+  for (const std::size_t cell : attempt.closed.crowded) subdivision.take(OctantId(cell), finest);
+  if (!subdivision.refine_taken()) return std::nullopt;
   for (const Gap& gap : attempt.closed.gaps) {
-    if (gap.kind != GapKind::kBareFace) continue;
-    const double longest = std::max(finest, 0.5 * least_extent(model, gap.entity.tag));
-    while (finer) {
-      take_around(*finer, gap.place, longest);
-      if (octants.empty()) break;
-      refine_taken(*finer);
-    }
+    if (gap.kind == GapKind::kBareFace)
+      subdivision.refine_to(gap.place, 0.5 * least_extent(model, gap.entity.tag));
   }
-  return finer;
+  return std::move(subdivision).tree();
+}
+
+std::optional<Octree> subdivide_at(const Octree& tree, const std::vector<Fault>& faults, double finest) {
+  Subdivision subdivision(tree, finest);
+  for (const Fault& fault : faults) subdivision.take_around(fault.place);
+  if (!subdivision.refine_taken()) return std::nullopt;
+  return std::move(subdivision).tree();
 }
 
 }  // namespace octet

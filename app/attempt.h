@@ -50,5 +50,8 @@ void classify(Attempt& attempt, const Model& model, double size, AttributeLimits
 /// none can be refined.
 [[nodiscard]] std::optional<Octree> subdivide_at_gaps(const Attempt& attempt, const Model& model,
                                                       double finest);
+/// The same for octants around faults of a mesh.
+[[nodiscard]] std::optional<Octree> subdivide_at(const Octree& tree, const std::vector<Fault>& faults,
+                                                 double finest);
 
 }  // namespace octet

@@ -57,8 +57,7 @@ MeshResult improve(Mesh mesh, const Model& model, const ImproveOptions& options,
   observer.stage("acceptance", 0.8);
   const double mean = std::accumulate(sizes.begin(), sizes.end(), 0.0) / static_cast<double>(sizes.size());
   result.report.size = options.size > 0.0 ? options.size : mean;
-  result.report.acceptance =
-      is_meshed_apart(model) ? accept_apart(mesh, model) : accept_mesh(mesh, model);
+  result.report.acceptance = is_meshed_apart(model) ? accept_apart(mesh, model) : accept_mesh(mesh, model);
   for (const Claim& claim : result.report.acceptance.claims)
     if (!claim.holds)
       result.report.faults.insert(result.report.faults.end(), claim.faults.begin(), claim.faults.end());

@@ -36,9 +36,9 @@ void measure_mesh(const Mesh& mesh, const Model& model, MeshReport& report) {
 
 std::string describe(const FinalizeReport& report) {
   constexpr double kDegree = 180.0 / M_PI;
-  return fmt::format(
-      "finalization: smallest dihedral {:.2f} -> {:.2f} degrees, {} below target",
-      report.min_dihedral_before * kDegree, report.min_dihedral_after * kDegree, report.below_target);
+  return fmt::format("finalization: smallest dihedral {:.2f} -> {:.2f} degrees, {} below target",
+                     report.min_dihedral_before * kDegree, report.min_dihedral_after * kDegree,
+                     report.below_target);
 }
 
 }  // namespace octet

@@ -8,6 +8,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "app/apart.h"
 #include "app/attempt.h"
@@ -30,6 +31,8 @@ namespace {
 /// tree has more octants than a moment's work.
 constexpr int kSubdivisions = 6, kPatience = 2;
 constexpr std::size_t kCheapTree = 20'000;
+/// How often a mesh without gaps that fails a claim is made again with smaller octants at its faults.
+constexpr int kSecondTries = 3;
 /// Attribute points for the gaps of one octant. Where gaps closed, in eight parts with small features, no
 /// octant took more than 23; where they did not, octants took hundreds.
 constexpr std::size_t kPointsPerOctant = 60;
@@ -56,12 +59,19 @@ class Run {
 
   MeshResult run() {
     choose_size();
-    Octree tree = build_tree();
-    mesh_band(std::move(tree));
-    extract();
-    improve();
-    append_interior();
-    accept();
+    std::optional<Octree> tree = build_tree();
+    std::optional<MeshResult> best;
+    for (int depth = 0; tree; ++depth) {
+      mesh_band(*std::exchange(tree, std::nullopt));
+      extract();
+      improve();
+      append_interior();
+      accept();
+      const bool better = !best || result_.report.faults.size() < best->report.faults.size();
+      if (depth < kSecondTries && (better || tree_->size() <= kCheapTree)) tree = finer_at_faults();
+      keep_better(best, better);
+    }
+    result_ = *std::move(best);
     summarize();
     return std::move(result_);
   }
@@ -148,6 +158,7 @@ class Run {
       if (!finer) break;
       tree = std::move(*finer);
     }
+    gaps_left_ = !band_->closed.gaps.empty();
     broken_ = broken_regions(*band_, model_);
     auto& faults = result_.report.faults;
     faults = describe_left_out(*band_, model_, broken_);
@@ -238,7 +249,39 @@ class Run {
     begin("interior", 0.85);
     result_.report.template_tets +=
         append_deep(band_->tree, band_->vertices, band_->labels, band_->split, result_.mesh);
+    tree_ = std::move(band_->tree);
     band_.reset();
+  }
+
+  /// What a user would do who is told to ask for a smaller size at a fault: the tree with octants subdivided
+  /// there. None where there is no fault, or where that has been done for gaps already.
+  [[nodiscard]] std::optional<Octree> finer_at_faults() {
+    if (result_.report.faults.empty() || gaps_left_) return std::nullopt;
+    std::optional<Octree> finer = subdivide_at(*tree_, result_.report.faults, 0.5 * finest_octant());
+    if (finer)
+      observer_.note(fmt::format("{} faults: their octants subdivided, {} octants now",
+                                 result_.report.faults.size(), finer->size()));
+    return finer;
+  }
+
+  /// Puts the result by where it is better, with the account of all the work so far, and clears it for
+  /// another.
+  void keep_better(std::optional<MeshResult>& best, bool better) {
+    MeshReport account = result_.report;
+    if (better) {
+      best = std::move(result_);
+    } else {
+      best->report.times = account.times;
+      best->report.attribute_points = account.attribute_points;
+      best->report.rounds = account.rounds;
+    }
+    account.faults.clear();
+    account.acceptance = {};
+    account.template_tets = 0;
+    result_ = MeshResult{};
+    result_.report = std::move(account);
+    broken_.clear();
+    tree_.reset();
   }
 
   void accept() {
@@ -268,6 +311,8 @@ class Run {
   std::size_t stage_ = std::numeric_limits<std::size_t>::max();  ///< index of the running stage's time
   std::unique_ptr<Attempt> band_;
   std::vector<int> broken_;  ///< regions left out
+  bool gaps_left_ = false;
+  std::optional<Octree> tree_;  ///< that of the mesh, when the band has gone
 };
 
 }  // namespace

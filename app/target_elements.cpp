@@ -44,8 +44,10 @@ MeshResult mesh_to_target(const Model& model, const MeshOptions& options,
   std::optional<MeshResult> best;
   std::vector<std::pair<double, double>>
       tried;  // scales and what their meshes were off by, logarithms of both
+  // An incomplete mesh has no count worth having.
   const auto miss = [target](const MeshResult& result) {
-    return std::abs(static_cast<double>(result.report.tets) / target - 1.0);
+    return std::pair(result.report.status != MeshStatus::kComplete,
+                     std::abs(static_cast<double>(result.report.tets) / target - 1.0));
   };
   const auto sizes = [&](double log_scale) { return scaled_sizes(model, whole, std::exp(log_scale)); };
   for (int i = 0; i < kMostMeshes; ++i) {
@@ -53,7 +55,7 @@ MeshResult mesh_to_target(const Model& model, const MeshOptions& options,
     MeshResult result = mesh(sizes(x));
     const double count = static_cast<double>(std::max<std::size_t>(result.report.tets, 1));
     if (!best || miss(result) < miss(*best)) best = std::move(result);
-    if (miss(*best) < kCloseEnough) break;
+    if (miss(*best) < std::pair(false, kCloseEnough)) break;
     correction = std::log(count / estimated_elements(model, plan_sizes(model, sizes(x))));
     const double off = std::log(count / target);
     const bool again =

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Octants are subdivided where a mesh has faults, and where an attempt has gaps.
+#include <gtest/gtest.h>
+
+#include "app/attempt.h"
+#include "geom/occt/from_shape.h"
+#include "tests/support/families.h"
+
+namespace octet {
+namespace {
+
+Model void_in_a_box() {
+  for (const test::FamilyPart& part : test::family_parts())
+    if (part.name == "small_void") return model_from_shape(part.build());
+  throw std::runtime_error("no such family");
+}
+
+Octree unit_octants(const Model& model) { return build_octree(model, {.size = 1.0}, {}); }
+
+TEST(Subdivision, OctantsAroundAFaultAreHalvedAndNoneBelowTheFinest) {
+  const Model model = void_in_a_box();
+  const Octree tree = unit_octants(model);
+  const Fault fault{model_face(1), Vec3(1.3, -0.4, 0.2), "", ""};
+  const auto once = subdivide_at(tree, {fault}, 0.3);
+  ASSERT_TRUE(once);
+  EXPECT_DOUBLE_EQ(once->size_at(fault.place), 0.5 * tree.size_at(fault.place));
+  EXPECT_EQ(once->size_at(fault.place - Vec3(2.5, 0, 0)), tree.size_at(fault.place - Vec3(2.5, 0, 0)));
+  EXPECT_EQ(check_octree(*once), "");
+  EXPECT_FALSE(subdivide_at(*subdivide_at(*once, {fault}, 0.3), {fault}, 0.3));
+  EXPECT_FALSE(subdivide_at(tree, {}, 0.3));
+}
+
+TEST(Subdivision, AFaceBetweenTheOctantsIsAGapAndGetsOctantsOfHalfItsExtent) {
+  const Model model = void_in_a_box();
+  Attempt attempt(unit_octants(model));
+  cut_tree(attempt, model);
+  place_points(attempt, model, 1.0);
+  triangulate(attempt, model);
+  Observer silent;
+  AttributeLimits limits;
+  limits.points = 1000;
+  classify(attempt, model, 1.0, limits, silent);
+  ASSERT_EQ(attempt.closed.gaps.size(), 1u);
+  const Gap& gap = attempt.closed.gaps[0];
+  EXPECT_EQ(gap.kind, GapKind::kBareFace);
+  EXPECT_NEAR((gap.place - Vec3(0.37, 0, 0)).norm(), 0.05, 1e-9);
+  const auto finer = subdivide_at_gaps(attempt, model, 1e-3);
+  ASSERT_TRUE(finer);
+  EXPECT_LE(finer->size_at(gap.place), 0.05);
+  EXPECT_GT(finer->size_at(gap.place), 0.02);
+}
+
+}  // namespace
+}  // namespace octet
