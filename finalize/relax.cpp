@@ -32,10 +32,12 @@ constexpr double kShortEdge = 0.75;
 constexpr double kSwapBelow = 0.5;
 constexpr std::size_t kLargestRing = 4;
 
-/// The tetrahedra at each vertex, for the while that topology stays as it is.
+/// The tetrahedra at each of the vertices, for the while that topology stays as it is.
 class Stars {
  public:
-  explicit Stars(const WorkMesh& mesh) : start_(mesh.points.size() + 1, 0) {
+  Stars(const WorkMesh& mesh, const std::vector<VertexId>& vertices)
+      : wanted_(mesh.points.size(), 0), start_(mesh.points.size() + 1, 0) {
+    for (const VertexId v : vertices) wanted_[v.index()] = 1;
     for_each(mesh, [&](std::size_t v, TetId) { ++start_[v + 1]; });
     for (std::size_t v = 1; v < start_.size(); ++v) start_[v] += start_[v - 1];
     tets_.resize(start_.back());
@@ -48,12 +50,14 @@ class Stars {
 
  private:
   template <class Visit>
-  static void for_each(const WorkMesh& mesh, const Visit& visit) {
+  void for_each(const WorkMesh& mesh, const Visit& visit) const {
     for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
       if (!mesh.alive(TetId(i))) continue;
-      for (const VertexId v : mesh.tets[TetId(i)]) visit(v.index(), TetId(i));
+      for (const VertexId v : mesh.tets[TetId(i)])
+        if (wanted_[v.index()] != 0) visit(v.index(), TetId(i));
     }
   }
+  std::vector<char> wanted_;
   std::vector<std::size_t> start_;
   std::vector<TetId> tets_;
 };
@@ -138,20 +142,27 @@ void scatter(std::vector<TetId>& tets) {
   std::sort(tets.begin(), tets.end(), [&](TetId a, TetId b) { return place(a) < place(b); });
 }
 
-/// Whether t is the worst of the ring, the first where there are several.
-bool is_worst(const WorkMesh& mesh, TetId t, const EdgeRing& ring) {
-  return std::all_of(ring.tets.begin(), ring.tets.end(),
-                     [&](TetId s) { return std::tie(mesh.quality[t], t) <= std::tie(mesh.quality[s], s); });
-}
-
-/// Whether an edge of t that t is the worst tetrahedron of can be removed for the mean, judged by the shapes
-/// alone.
+/// Whether an edge of t that t is the worst tetrahedron of, the first where there are several, can be removed
+/// for the mean, judged by the shapes alone.
 bool may_swap(const Workshop& shop, TetId t, double floor, EdgeRing& ring) {
-  const auto& v = shop.mesh.tets[t];
-  return std::any_of(std::begin(kTetEdge), std::end(kTetEdge), [&](const auto& e) {
-    return edge_ring(shop.mesh, t, v[e[0]], v[e[1]], ring, kLargestRing) && is_worst(shop.mesh, t, ring) &&
-           edge_removal_raises_mean(shop, ring, floor);
-  });
+  const WorkMesh& mesh = shop.mesh;
+  const auto& v = mesh.tets[t];
+  const auto& n = mesh.neighbours[t];
+  const auto is_no_worse = [&](TetId s) {
+    return std::tie(mesh.quality[t], t) <= std::tie(mesh.quality[s], s);
+  };
+  // Neighbours first: few edges are left whose rings are walked.
+  std::array<bool, 4> beside{};
+  for (int f = 0; f < 4; ++f) beside[f] = !n[f].valid() || is_no_worse(n[f]);
+  for (int e = 0; e < 6; ++e) {
+    const auto &ends = kTetEdge[e], &faces = kTetEdge[5 - e];  // the opposite edge's vertices face these
+    if (!beside[faces[0]] || !beside[faces[1]]) continue;
+    if (edge_ring(mesh, t, v[ends[0]], v[ends[1]], ring, kLargestRing) &&
+        std::all_of(ring.tets.begin(), ring.tets.end(), is_no_worse) &&
+        edge_removal_raises_mean(shop, ring, floor))
+      return true;
+  }
+  return false;
 }
 
 bool swap_something(Workshop& shop, TetId t, double floor) {
@@ -165,8 +176,9 @@ bool swap_something(Workshop& shop, TetId t, double floor) {
 }  // namespace
 
 void relax_for_mean(Workshop& shop, double floor, int sweeps) {
-  const Stars stars(shop.mesh);
-  const auto lists = coloured(shop.mesh, stars, vertices_to_relax(shop.mesh));
+  const std::vector<VertexId> vertices = vertices_to_relax(shop.mesh);
+  const Stars stars(shop.mesh, vertices);
+  const auto lists = coloured(shop.mesh, stars, vertices);
   std::vector<char> active(shop.mesh.points.size(), 1), disturbed(active.size(), 0);
   std::vector<VertexId> list;
   for (int sweep = 0; sweep < sweeps; ++sweep) {

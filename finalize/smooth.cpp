@@ -36,19 +36,20 @@ void active_gradients(LocalStar& star, const Vec3& place, double worst, std::vec
   for (std::size_t i = 0; i < star.bases.size(); ++i) {
     if (shapes[i] > limit) continue;
     const auto base = star.bases[i];
-    const auto squares = merits_of_shape(base[0], base[1], base[2], place);
-    std::array<Vec3, 7> gradient;
+    const auto at = [&](const Vec3& p) { return merits_of_shape(base[0], base[1], base[2], p); };
+    const auto squares = at(place);
+    std::array<decltype(at(place)), 3> ahead, behind;
     for (int axis = 0; axis < 3; ++axis) {
       const Vec3 offset = step * Vec3::Unit(axis);
-      const auto ahead = merits_of_shape(base[0], base[1], base[2], place + offset);
-      const auto behind = merits_of_shape(base[0], base[1], base[2], place - offset);
-      for (int e = 0; e < 7; ++e) {
-        gradient[e][axis] = (signed_root(ahead[e]) - signed_root(behind[e])) / (2.0 * step);
-      }
+      ahead[axis] = at(place + offset);
+      behind[axis] = at(place - offset);
     }
     star.work += 8;
     for (int e = 0; e < 7 && gradients.size() < kMaxActive; ++e) {
-      if (squares[e] <= limit) gradients.push_back(gradient[e]);
+      if (squares[e] > limit) continue;
+      Vec3& gradient = gradients.emplace_back();
+      for (int axis = 0; axis < 3; ++axis)
+        gradient[axis] = (signed_root(ahead[axis][e]) - signed_root(behind[axis][e])) / (2.0 * step);
     }
   }
 }
