@@ -81,15 +81,15 @@ void add_mesh(CLI::App& app, MeshCommand& mesh) {
   sub.add_option("--dump-stages", mesh.dump_directory, "Write the mesh of every stage into this directory")
       ->type_name("DIR");
   CLI::Option* fast = sub.add_flag_callback(
-      "--fast", [&mesh] { mesh.scope = FinalizeScope::kWorst; },
-      "Improve the worst elements' shapes only, not the good ones'");
+      "--fast", [&mesh] { mesh.scope = FinalizeScope::kFast; },
+      "One round for all elements' shapes, then the worst up to 20 degrees only");
   const std::map<std::string, FinalizeScope> scopes{{"smoothing", FinalizeScope::kSmoothing},
                                                     {"nicks", FinalizeScope::kNicks},
-                                                    {"worst", FinalizeScope::kWorst},
+                                                    {"fast", FinalizeScope::kFast},
                                                     {"all", FinalizeScope::kAll}};
   sub.add_option(
          "--finalize", mesh.scope,
-         "How much to do for shapes: smoothing, nicks (and short edges), worst (as --fast), all (default)")
+         "How much to do for shapes: smoothing, nicks (and short edges), fast (as --fast), all (default)")
       ->transform(CLI::CheckedTransformer(scopes).description(""))
       ->type_name("SCOPE")
       ->excludes(fast);

@@ -88,7 +88,9 @@ FinalizeReport finalize(Mesh& mesh, const Model& model, const FinalizeOptions& o
         relax_around(shop, chased, polish);
       }
       break;
-    case FinalizeScope::kWorst:
+    case FinalizeScope::kFast:
+      relax_for_mean(shop, polish, 1);
+      raise_mean(shop, polish, observer);
       improve_worst_first(shop, target, Effort::kPolish, observer);
       chase(shop, target, polish, observer);
       break;

@@ -16,7 +16,7 @@ namespace octet {
 enum class FinalizeScope {
   kSmoothing,  ///< vertices are moved, and nothing else
   kNicks,      ///< also the edges below `short_edge` are collapsed first
-  kWorst,      ///< nicks, then all operators, on what is below the target alone: a tenth of the time
+  kFast,       ///< nicks, one round for the mean, then all operators on what is below the target alone
   kAll,
 };
 

@@ -66,11 +66,11 @@ TEST(Finalize, SmoothingAloneMovesVerticesAndKeepsTheTetrahedra) {
   EXPECT_NE(part.mesh.points, jittered.points);
 }
 
-TEST(Finalize, WorstOnlyReachesTheTargetAndLeavesGoodElementsAlone) {
+TEST(Finalize, FastReachesTheTargetWithHalfTheWork) {
   Part part = jittered_box();
   const Mesh jittered = part.mesh;
   FinalizeOptions options = testing::options_of_size(0.13);
-  options.scope = FinalizeScope::kWorst;
+  options.scope = FinalizeScope::kFast;
   Observer observer;
   const FinalizeReport report = finalize(part.mesh, part.model, options, observer);
   EXPECT_EQ(faults_of(part.mesh, part.model, testing::face_euler(jittered, part.model.count(2))), "");
