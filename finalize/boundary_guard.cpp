@@ -18,16 +18,18 @@ namespace {
 /// Triangles may turn by 30 degrees from the exact normals at their vertices: an element that spans the 45
 /// degrees of the default curvature sizing turns by 22.5, more across its longer diagonal.
 constexpr double kTurnBound = 0.134;
-/// Sagitta allowed at most, as a share of the local size: 45 degrees over one element make 0.1.
-constexpr double kSagBound = 0.1;
+/// Sagitta allowed at most, as a share of the local size: 37 degrees over one element. With 0.1, which the 45
+/// degrees of the default curvature sizing make, largest distances grew by an eighth (0.12 in place of 0.08
+/// of an edge on a cone); with 0.065 single angles get worse (a torus: 29 in place of 32 degrees).
+constexpr double kSagBound = 0.08;
 /// Sagitta always allowed, as a share of the local size: 14 degrees over one element. With less, slivers
 /// beside gently curved faces stay (0.01: 17 degrees in place of 21 on a plug of cylinders; 0.02: 14.8 in
 /// place of 15.8 on a mount).
 constexpr double kFlatSag = 0.03;
 /// Error allowed of a region's volume, as a share of it, or of the error that was there: where the chords of
 /// round faces alone err by more, any smaller bound would refuse half of all moves (a torus stayed at 18
-/// degrees in place of 29).
-constexpr double kVolumeBound = 2e-3;
+/// degrees in place of 29). A share of 2e-3 made no better shapes, and errors of 2.6e-4 grew to it.
+constexpr double kVolumeBound = 1e-4;
 constexpr double kVolumeGrowth = 1.1;
 
 std::uint64_t rim_key(VertexId v, int face) {
