@@ -119,6 +119,22 @@ OctreeVertices octree_vertices(const Octree& tree) {
   return vertices;
 }
 
+namespace {
+
+/// As OctreeVertices::find, by way of the octant that holds p: between its lower corner and the next octant's
+/// stand few other vertices.
+std::uint32_t find_near(const Octree& tree, const OctreeVertices& vertices, const Lattice& p) {
+  if (std::max({p[0], p[1], p[2]}) >= kLatticeExtent) return vertices.find(p);
+  const std::size_t o = tree.find(p).index();
+  const auto first = vertices.at.begin() + vertices.corners[o][0];
+  const auto last =
+      o + 1 < tree.size() ? vertices.at.begin() + vertices.corners[o + 1][0] : vertices.at.end();
+  const auto it = std::lower_bound(first, last, p, morton_less);
+  return it != last && *it == p ? static_cast<std::uint32_t>(it - vertices.at.begin()) : kNoVertex;
+}
+
+}  // namespace
+
 OctantLattice octant_lattice(const Octree& tree, const OctreeVertices& vertices, OctantId octant) {
   static constexpr auto kCornerMasks = corner_masks();
   const Octant& o = tree[octant];
@@ -136,8 +152,8 @@ OctantLattice octant_lattice(const Octree& tree, const OctreeVertices& vertices,
   for (int place = 0; place < 27; ++place) {
     if (lattice[place] != kNoVertex || place == 13 || (kCornerMasks[place] & ~finer) != 0) continue;
     const std::array<int, 3> at = steps_of(place);
-    lattice[place] =
-        vertices.find({o.corner[0] + at[0] * half, o.corner[1] + at[1] * half, o.corner[2] + at[2] * half});
+    lattice[place] = find_near(
+        tree, vertices, {o.corner[0] + at[0] * half, o.corner[1] + at[1] * half, o.corner[2] + at[2] * half});
   }
   return lattice;
 }
