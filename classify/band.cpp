@@ -121,7 +121,7 @@ void Band::update(const TetMesh& mesh, std::span<const ModelRef> on, std::span<c
   for (std::size_t i = 0; i < created.size(); ++i) {
     if (!mesh.alive(created[i])) continue;
     if (is_flat[i]) flat.push_back(created[i]);
-    forget_facets(mesh, created[i]);
+    if (!facets_.empty()) forget_facets(mesh, created[i]);  // else none was asked for so far
   }
   label_flat(mesh, flat);
 }
