@@ -9,7 +9,8 @@ Every mesher meshes each part at its own size for about the wanted number of tet
 own sake stays so), with one thread. A cell holds the count; the least dihedral angle of the elements that the part
 does not limit, and of all; the largest of all; the 1st percentile of the elements' least angles; the mean of their
 mean ratios; and CPU seconds of the whole run. All by `octet quality`. Netgen's files name no model edges, so sharp
-edges cannot be told there, and the first angle is `-`.
+edges cannot be told there, and the first angle is `-`. A mesh of less than a third of the tetrahedra is `not the size`: Debian's Netgen
+does not divide some edges.
 
 gmsh is Debian's `gmsh -3`; netgen Debian's python3-netgen under /usr/bin/python3 (apt-get install gmsh
 python3-netgen); gmsh+netgen is Gmsh's mesh after Netgen's optimizer for volumes, called from there, for Debian's Gmsh
@@ -116,9 +117,11 @@ class Mesher:
         return size
 
 
-def cells(name, found):
+def cells(name, found, tets):
     if found is None:
         return ["no mesh"] + [""] * (len(COLUMNS) - 1)
+    if found["tets"] < tets / 3:
+        return [str(found["tets"]), "not the size"] + [""] * (len(COLUMNS) - 2)
     free = "-" if "netgen" in name else f"{found['free']:.1f}"
     return [str(found["tets"]), free, f"{found['all']:.1f}", f"{found['largest']:.1f}", f"{found['p1']:.1f}",
             f"{found['ratio']:.3f}", f"{found['cpu s']:.1f}"]
@@ -145,7 +148,7 @@ def main():
             for name in args.meshers.split(","):
                 mesher = Mesher(name, work, args.limit)
                 size = mesher.near(part, args.tets, size)
-                print(row([os.path.splitext(os.path.basename(part))[0], name, *cells(name, mesher.found)]), flush=True)
+                print(row([os.path.splitext(os.path.basename(part))[0], name, *cells(name, mesher.found, args.tets)]), flush=True)
 
 
 if __name__ == "__main__":
