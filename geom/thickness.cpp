@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kOpposed = 0.866;  // cosine of 30 degrees
 constexpr double kTaperThicknesses = 3.0;
+constexpr std::size_t kMostPlaces = 10000;  ///< asked on one face, spread over its facets
 
 bool tapers(const Model& model, const Wall& wall) {
   if (wall.face == wall.opposite) return false;
@@ -56,8 +57,12 @@ std::optional<Wall> thinnest_wall(const Model& model) {
   // Slivers may have countless facets, and tell nothing of walls.
   std::vector<bool> skipped(static_cast<std::size_t>(model.count(2)) + 1);
   for (int f = 1; f <= model.count(2); ++f) skipped[static_cast<std::size_t>(f)] = is_sliver(model, f);
+  std::vector<std::size_t> count(skipped.size()), at(skipped.size());
+  for (const int face : facets.face) ++count[static_cast<std::size_t>(face)];
   for (std::size_t i = 0; i < facets.triangles.size(); ++i) {
-    if (skipped[static_cast<std::size_t>(facets.face[i])]) continue;
+    const auto face = static_cast<std::size_t>(facets.face[i]);
+    const std::size_t step = (count[face] + kMostPlaces - 1) / kMostPlaces;
+    if (skipped[face] || at[face]++ % step != 0) continue;
     const Vec2 uv = (facets.uv[i][0] + facets.uv[i][1] + facets.uv[i][2]) / 3.0;
     for (const int side : {0, 1}) {
       const double limit = thinnest ? thinnest->thickness : 1.01 * model.diagonal();

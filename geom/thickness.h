@@ -18,7 +18,8 @@ struct Wall {
 
 /// The least distance straight through a region from the middle of a facet to a face that looks the other way
 /// within 30 degrees. Where two faces meet in an edge the wall runs out to nothing: places nearer to that
-/// edge than three thicknesses do not count. A sample, one per facet, none on slivers (geom/tiny_features): between samples a wall may be thinner.
+/// edge than three thicknesses do not count. A sample, one per facet but at most 10 000 on a face, none on
+/// slivers (geom/tiny_features): between samples a wall may be thinner.
 /// None where no two faces face each other. Cost: one segment per facet and side.
 [[nodiscard]] std::optional<Wall> thinnest_wall(const Model& model);
 

@@ -11,15 +11,20 @@
 #include <Geom2d_Curve.hxx>
 #include <Geom_Curve.hxx>
 #include <Precision.hxx>
+#include <ShapeAnalysis_Surface.hxx>
+#include <ShapeBuild_ReShape.hxx>
 #include <ShapeFix_Edge.hxx>
 #include <ShapeFix_Shell.hxx>
+#include <ShapeFix_Wire.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Iterator.hxx>
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
+#include <TopoDS_Wire.hxx>
 
 #include "geom/occt/edge_uses.h"
 #include "geom/occt/sew.h"
@@ -37,6 +42,7 @@ class Healer {
     for (std::size_t i = 0; i < set_.solids.size(); ++i) {
       log_(fmt::format("checking {}", name_of(set_.solids[i])));
       add_curves(set_.solids[i]);
+      add_pole_edges(set_.solids[i]);
       turn_faces(set_.solids[i]);
       close(set_.solids[i]);
       join_strips(set_.solids[i]);
@@ -46,6 +52,9 @@ class Healer {
       set_.notes.push_back(
           fmt::format("{} edge(s) had no curve in space and got that of their face, the first is {}", curves_,
                       first_curve_));
+    if (pole_edges_ > 0)
+      set_.notes.push_back(fmt::format("{} loop(s) had no edge at a pole and got one, the first is of {}",
+                                       pole_edges_, first_pole_edge_));
     if (pcurves_ > 0)
       set_.notes.push_back(fmt::format("{} edge(s) had no curve on a face and got one, the first is {}",
                                        pcurves_, first_pcurve_));
@@ -82,6 +91,30 @@ class Healer {
     ShapeFix_Edge fix;
     if (!fix.FixAddPCurve(edge, face, false, Precision::Confusion())) return;
     if (pcurves_++ == 0) first_pcurve_ = numbered("Edge", 1, edge) + " on " + numbered("Face", 2, face);
+  }
+
+  /// Where a loop runs through a pole of its surface without an edge there, its ends are apart in (u,v).
+  void add_pole_edges(TopoDS_Shape& solid) {
+    const Handle(ShapeBuild_ReShape) changes = new ShapeBuild_ReShape();
+    TopTools_MapOfShape seen;
+    for (TopExp_Explorer faces(solid, TopAbs_FACE); faces.More(); faces.Next()) {
+      const TopoDS_Face face = TopoDS::Face(faces.Current().Oriented(TopAbs_FORWARD));
+      if (!seen.Add(face) ||
+          !ShapeAnalysis_Surface(BRep_Tool::Surface(face)).HasSingularities(Precision::Confusion()))
+        continue;
+      for (TopExp_Explorer it(face, TopAbs_WIRE); it.More(); it.Next()) {
+        ShapeFix_Wire fix(TopoDS::Wire(it.Current()), face, Precision::Confusion());
+        const int edges = fix.NbEdges();
+        fix.FixReorder();
+        if (!fix.FixDegenerated() || fix.NbEdges() == edges) continue;
+        changes->Replace(it.Current(), fix.Wire());
+        if (pole_edges_++ == 0) first_pole_edge_ = numbered("Face", 2, face);
+      }
+    }
+    const TopoDS_Shape made = changes->Apply(solid);
+    if (made.IsSame(solid)) return;
+    set_.history->Merge(changes->History());
+    replace(solid, made);
   }
 
   /// A new solid in the place of `solid`, of the same orientation.
@@ -152,8 +185,8 @@ class Healer {
   double sew_tolerance_;
   const StageLog& log_;
   SolidSet& set_;
-  int curves_ = 0, pcurves_ = 0;
-  std::string first_curve_, first_pcurve_;
+  int curves_ = 0, pcurves_ = 0, pole_edges_ = 0;
+  std::string first_curve_, first_pcurve_, first_pole_edge_;
 };
 
 }  // namespace

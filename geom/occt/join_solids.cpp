@@ -111,7 +111,7 @@ class Joiner {
       add_entities(all);
     }
     log_("measuring the entities");
-    measure(part_.numbering, part_.parts);
+    measure_volumes(part_.numbering, part_.parts);
   }
 
   /// Numbers, topology and facets of the solids as they are now.
@@ -123,6 +123,8 @@ class Joiner {
     for (int tag = 1; tag <= numbering.count(3); ++tag) BRepLib::BuildCurves3d(numbering.solid(tag));
     log_("analysing the topology");
     fill_topology(numbering, part_.parts);
+    log_("measuring the edges");
+    measure_gaps(numbering, part_.parts);
     log_("triangulating the faces");
     tessellate(numbering, options_.facet_deflection, log_, part_.parts);
   }

@@ -11,6 +11,7 @@
 #include <TopExp_Explorer.hxx>
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string_view>
 
 #include "base/error.h"
@@ -24,6 +25,8 @@ constexpr int kGapSamples = 24;       // of closed forms
 constexpr int kFreeGapSamples = 100;  // where the gap may swing with the knots
 /// Measured gaps are maxima over samples; the true one is a little larger.
 constexpr double kGapShare = 1.2;
+/// Of the part's diagonal: an edge that is farther off its faces, and farther than it is long, is misplaced.
+constexpr double kMisplaced = 0.05;
 
 double diagonal_of(const ModelParts& parts) {
   Box3 box;
@@ -56,10 +59,10 @@ double gap_on_face(const TopoDS_Edge& edge, const TopoDS_Face& face, const Surfa
   return gap;
 }
 
-double edge_gap(const Numbering& numbering, int tag, const ModelParts& parts) {
+double edge_gap(const Numbering& numbering, int tag, std::span<const int> faces, const ModelParts& parts) {
   const ModelEdge& edge = parts.edges[tag];
   double gap = 0.0;
-  for (const int face : edge.faces)
+  for (const int face : faces)
     for (const TopAbs_Orientation way : {TopAbs_FORWARD, TopAbs_REVERSED})
       gap = std::max(gap, gap_on_face(TopoDS::Edge(numbering.edge(tag).Oriented(way)), numbering.face(face),
                                       *parts.surfaces[face], *parts.curves[tag], edge));
@@ -72,7 +75,7 @@ void measure_edges(const Numbering& numbering, double floor, ModelParts& parts) 
     ModelEdge& edge = parts.edges[tag];
     edge.tolerance = floor;
     if (edge.use == EdgeUse::kDegenerate) continue;
-    const double gap = edge_gap(numbering, tag, parts);
+    const double gap = edge_gap(numbering, tag, edge.faces, parts);
     edge.tolerance = std::max(floor, kGapShare * gap);
     BRepAdaptor_Curve adaptor(numbering.edge(tag));
     edge.length = GCPnts_AbscissaPoint::Length(adaptor, edge.t0, edge.t1, 1e-9 * (1.0 + floor));
@@ -83,6 +86,25 @@ void measure_edges(const Numbering& numbering, double floor, ModelParts& parts) 
         fmt::format("{} edge(s) lie farther from their faces than the file's tolerance says, the first is "
                     "Edge {} ({:.3g} mm)",
                     worse, first, parts.edges[first].tolerance / kGapShare));
+}
+
+/// An edge elsewhere than its faces say leaves no boundary to mesh.
+void refuse_misplaced(const Numbering& numbering, int tag, double diagonal, const ModelParts& parts) {
+  const ModelEdge& edge = parts.edges[tag];
+  const double gap = edge.tolerance / kGapShare;
+  if (edge.use == EdgeUse::kDegenerate || gap <= std::max(edge.length, kMisplaced * diagonal)) return;
+  int worst = edge.faces.front();
+  double widest = 0.0;
+  for (const int face : edge.faces) {
+    const double here = edge_gap(numbering, tag, {&face, 1}, parts);
+    if (here <= widest) continue;
+    widest = here;
+    worst = face;
+  }
+  throw ModelError(fmt::format("Edge {} lies up to {:.3g} mm off Face {} and is {:.3g} mm long: its curve in "
+                               "space and that on the face are of different places",
+                               tag, gap, worst, edge.length),
+                   model_edge(tag));
 }
 
 void measure_vertices(double floor, ModelParts& parts) {
@@ -124,13 +146,15 @@ void integrate(const Numbering& numbering, ModelParts& parts) {
 
 }  // namespace
 
-void measure(const Numbering& numbering, ModelParts& parts) {
+void measure_gaps(const Numbering& numbering, ModelParts& parts) {
   const double diagonal = diagonal_of(parts);
   // OCCT's own floor, but no more than rounding allows on a small part.
   const double floor = std::min(1e-7, 1e-8 * diagonal);
   measure_edges(numbering, floor, parts);
+  for (int tag = 1; tag <= numbering.count(1); ++tag) refuse_misplaced(numbering, tag, diagonal, parts);
   measure_vertices(floor, parts);
-  integrate(numbering, parts);
 }
+
+void measure_volumes(const Numbering& numbering, ModelParts& parts) { integrate(numbering, parts); }
 
 }  // namespace octet

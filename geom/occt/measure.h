@@ -7,8 +7,12 @@
 
 namespace octet {
 
-/// Fills length, area, volume and tolerance; after tessellate(). Notes edges whose gap is larger than the
-/// file's tolerance. ModelError: a solid of negative volume (its faces are turned inside out).
-void measure(const Numbering& numbering, ModelParts& parts);
+/// Fills lengths and tolerances; after fill_topology(). Notes edges whose gap is larger than the file's
+/// tolerance. ModelError: an edge off its faces by more than its own length and a twentieth of the part's.
+void measure_gaps(const Numbering& numbering, ModelParts& parts);
+
+/// Fills areas and volumes; after tessellate(). ModelError: a solid of negative volume (its faces are turned
+/// inside out).
+void measure_volumes(const Numbering& numbering, ModelParts& parts);
 
 }  // namespace octet

@@ -8,13 +8,16 @@
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepTools_ReShape.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <GC_MakeArcOfCircle.hxx>
 #include <Geom2d_Curve.hxx>
+#include <Geom_Curve.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Edge.hxx>
@@ -25,6 +28,7 @@
 #include <TopoDS_Wire.hxx>
 #include <gp_Pln.hxx>
 #include <gp_Trsf.hxx>
+#include <gp_Vec.hxx>
 #include <numbers>
 
 #include "base/error.h"
@@ -169,6 +173,40 @@ TEST(Heal, SewsWithinTheToleranceAsked) {
   EXPECT_EQ(model.count(1), 12);
   EXPECT_EQ(model.count(0), 8);
   EXPECT_NEAR(model.region(1).volume, 6.0, 0.3);
+}
+
+/// An eighth of a ball whose round face has no edge at the pole.
+TopoDS_Shape eighth_without_pole_edge() {
+  const TopoDS_Shape eighth = BRepPrimAPI_MakeSphere(1.0, 0.0, 0.5 * kPi, 0.5 * kPi).Solid();
+  const Handle(BRepTools_ReShape) changes = new BRepTools_ReShape();
+  for (TopExp_Explorer it(eighth, TopAbs_EDGE); it.More(); it.Next())
+    if (BRep_Tool::Degenerated(TopoDS::Edge(it.Current()))) changes->Remove(it.Current());
+  return changes->Apply(eighth);
+}
+
+TEST(Heal, ALoopThroughAPoleGetsAnEdgeThere) {
+  const Model model = model_from_shape(eighth_without_pole_edge());
+  EXPECT_NE(note_with(model, "had no edge at a pole and got one, the first is of Face 1"), "");
+  EXPECT_EQ(model.edge(model.count(1)).use, EdgeUse::kDegenerate);
+  EXPECT_NEAR(model.region(1).volume, kPi / 6.0, 1e-9);
+  EXPECT_EQ(model.region_at({0.5, 0.5, 0.5}), 1);
+}
+
+TEST(Heal, AnEdgeElsewhereThanItsFaceIsRefusedByName) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(1.0, 2.0, 3.0).Shape();
+  TopTools_IndexedMapOfShape edges;
+  TopExp::MapShapes(box, TopAbs_EDGE, edges);
+  double first = 0.0, last = 0.0;
+  const Handle(Geom_Curve) curve = BRep_Tool::Curve(TopoDS::Edge(edges(5)), first, last);
+  BRep_Builder().UpdateEdge(TopoDS::Edge(edges(5)),
+                            Handle(Geom_Curve)::DownCast(curve->Translated(gp_Vec(5.0, 5.0, 5.0))), 1e-7);
+  try {
+    (void)model_from_shape(box);
+    FAIL() << "the box was taken";
+  } catch (const ModelError& error) {
+    EXPECT_EQ(error.entity(), model_edge(5));
+    EXPECT_NE(std::string(error.what()).find("Edge 5 lies up to"), std::string::npos) << error.what();
+  }
 }
 
 TEST(Heal, GivesEdgesWithoutACurveOnTheirFaceOne) {
