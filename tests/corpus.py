@@ -4,13 +4,15 @@
 
     tests/corpus.py FOLDER|FILE... [--octet build/app/octet] [--sizes default,40] [--limit 300]
                     [--manifest TSV --difficulty easy --kind solid] [--meshstat PATH] [--meshvscad PATH]
-                    [--keep DIR] [--jobs 1]
+                    [--keep DIR] [--jobs 1] [--turns 3 --turner build/tests/geom/occt/octet_turn_part]
 
 A size is `default`, a number N: the part's diagonal / N, or =N: that many elements. A manifest is a tab separated table with the columns
 name, difficulty and kind. The judges are independent programs that print JSON (`meshstat MESH`,
 `meshvscad PART MESH`). With --assemblies (needs meshstat) the table also tells the regions, how many of the model's
 faces between two regions have triangles, how many such triangles there are (each face of two tetrahedra of
-different regions must be one, once), and the worst error of a region's volume against the CAD's. The exit code is 0 when every run is complete and every judge content.
+different regions must be one, once), and the worst error of a region's volume against the CAD's. With --turns N each part is meshed as it stands and turned at
+random N times (the same turns each time; build the target octet_turn_part), and runs of other status than the part's
+as it stands, or more than a tenth more or fewer elements, are told. The exit code is 0 when every run is complete and every judge content.
 """
 import argparse
 import csv
@@ -48,6 +50,8 @@ def arguments():
     parser.add_argument("--assemblies", action="store_true", help="tell regions, shared faces, volumes of regions")
     parser.add_argument("--meshstat")
     parser.add_argument("--meshvscad")
+    parser.add_argument("--turns", type=int, default=0, help="random rotations of each part, too")
+    parser.add_argument("--turner", default="build/tests/geom/occt/octet_turn_part")
     parser.add_argument("--keep", help="keep meshes and reports in this directory")
     parser.add_argument("--jobs", type=int, default=1, help="parts at a time")
     return parser.parse_args()
@@ -192,6 +196,34 @@ def run_one(args, part, size, folder):
     return row
 
 
+def turned_parts(args, part, folder):
+    """The part as it stands and turned."""
+    stem = os.path.splitext(os.path.basename(part))[0]
+    turned = [os.path.join(folder, f"{stem}-turn{n}.brep") for n in range(1, args.turns + 1)]
+    for seed, file in enumerate(turned, 1):
+        code, _, err, _ = call([args.turner, part, file, str(seed)], args.limit)
+        if code != 0:
+            sys.exit(f"{args.turner}: {part}: {err.strip()}")
+    return [part] + turned
+
+
+def print_turns(args, rows, sizes):
+    """Where a turned part comes out otherwise than the part as it stands; rows come part by part, turn by turn."""
+    worst, off = 0.0, 0
+    block = (1 + args.turns) * len(sizes)
+    for first in range(0, len(rows), block):
+        for k in range(len(sizes), block):
+            still, turned = rows[first + k % len(sizes)], rows[first + k]
+            same = still["status"] == turned["status"]
+            share = turned["tets"] / still["tets"] - 1 if "-" not in (still["tets"], turned["tets"]) else 0.0
+            worst = max(worst, abs(share))
+            if not same or abs(share) > 0.1:
+                off += 1
+                print(f"{turned['file']} {turned['size']}: {still['status']} -> {turned['status']}, elements {100 * share:+.0f} %")
+    print(f"{off} of {len(rows) - len(rows) // (1 + args.turns)} turned runs differ in status or by more than 10 % in elements, "
+          f"the worst by {100 * worst:.0f} %")
+
+
 def widths_of(args, parts):
     shown = [h for h in HEAD if args.assemblies or h not in ASSEMBLY_HEAD]
     widths = {h: max(len(h), 10) for h in shown}
@@ -215,6 +247,8 @@ def main():
         folder = args.keep or scratch
         os.makedirs(folder, exist_ok=True)
         with ThreadPoolExecutor(max_workers=args.jobs) as pool:
+            if args.turns:
+                parts = [t for p in parts for t in turned_parts(args, p, folder)]
             jobs = [pool.submit(run_one, args, p, s, folder) for p in parts for s in sizes]
             widths = widths_of(args, parts)
             print_row({h: h for h in HEAD}, widths)
@@ -229,6 +263,8 @@ def main():
     sharp = sum(a < 15.0 for a in angles)
     print(f"{len(parts)} parts, {len(rows)} runs: {complete} complete, {good} complete and confirmed by every judge; "
           f"smallest dihedral {least:.1f} degrees, below 15 degrees in {sharp} runs")
+    if args.turns:
+        print_turns(args, rows, sizes)
     misses = [abs(r["tets"] / float(r["size"][1:]) - 1) for r in rows if r["size"].startswith("=") and r["tets"] != "-"]
     if misses:
         near = sum(m <= 0.15 for m in misses)
