@@ -93,7 +93,9 @@ void add_mesh(CLI::App& app, MeshCommand& mesh) {
       ->transform(CLI::CheckedTransformer(scopes).description(""))
       ->type_name("SCOPE")
       ->excludes(fast);
-  sub.add_flag("!--no-finalize", mesh.finalize, "Leave the elements' shapes as classification made them");
+  sub.add_flag_callback(
+      "--no-finalize", [&mesh] { mesh.finalize = false; },
+      "Leave the elements' shapes as classification made them");
   CLI::Option* quiet = sub.add_flag("--quiet,-q", mesh.quiet, "Print nothing but errors");
   sub.add_flag("--verbose,-v", mesh.verbose, "Tell of every stage on stderr")->excludes(quiet);
   add_reading_options(sub, mesh.reading);
@@ -128,13 +130,22 @@ void add_info(CLI::App& app, InfoCommand& info) {
   sub.add_option("part", info.part, "STEP, IGES or BREP file")->required()->type_name("FILE");
   sub.add_flag("--json", info.json, "Print JSON, with every entity");
   sub.add_flag("--entities", info.entities, "Print a line for every entity, too");
-  sub.add_flag("--sizes", info.show_sizes,
-               "Print the size that each entity gets from the options below, and why, instead");
-  sub.add_option("--write-field", info.size_field, "With --sizes: write the sizes over space (.vtu)")
-      ->type_name("FILE")
-      ->needs("--sizes");
+  CLI::Option* sizes =
+      sub.add_flag("--sizes", info.show_sizes,
+                   "Print the size that each entity gets from the options of sizes, and why, instead");
+  const std::size_t others = sub.get_options().size();
+  sub.add_option("--write-field", info.size_field, "Write the sizes over space (.vtu)")->type_name("FILE");
   add_size_options(sub, info.sizes);
   sub.add_option("--unit", info.unit, std::string("Unit of the sizes: ") + kUnitHelp)->type_name("UNIT");
+  // Not `needs`, which the help would repeat for each.
+  const std::vector<CLI::Option*> all = sub.get_options();
+  const std::vector<CLI::Option*> of_sizes(all.begin() + static_cast<std::ptrdiff_t>(others), all.end());
+  for (CLI::Option* option : of_sizes) option->group("With --sizes");
+  sub.parse_complete_callback([sizes, of_sizes] {
+    for (const CLI::Option* option : of_sizes) {
+      if (option->count() > 0 && sizes->count() == 0) throw CLI::RequiresError(option->get_name(), "--sizes");
+    }
+  });
   add_reading_options(sub, info.reading);
   sub.footer(kFooter);
 }

@@ -151,6 +151,7 @@ class Run {
       if (!next->closed.gaps.empty() && depth < kSubdivisions)
         finer = subdivide_at_gaps(*next, model_, 0.5 * finest_octant());
       if (finer && depth - best >= kPatience && finer->size() > kCheapTree) finer.reset();
+      if (finer && !wish_) wish_ = next->tree;
       if (finer)
         observer_.note(fmt::format("{} gaps left: their octants subdivided, {} octants now",
                                    next->closed.gaps.size(), finer->size()));
@@ -240,6 +241,7 @@ class Run {
     finalize_options.fixed_vertices = fixed_vertices_;
     finalize_options.volume_beyond = deep_volumes(band_->tree, band_->labels, band_->split, model_.count(3));
     finalize_options.size_at = [this](const Vec3& p) { return band_->tree.size_at(p); };
+    if (wish_) finalize_options.coarse_size_at = [this](const Vec3& p) { return wish_->size_at(p); };
     const FinalizeReport report = finalize(result_.mesh, model_, finalize_options, observer_);
     observer_.note(describe(report));
     dump("finalized");
@@ -258,6 +260,7 @@ class Run {
   [[nodiscard]] std::optional<Octree> finer_at_faults() {
     if (result_.report.faults.empty() || gaps_left_) return std::nullopt;
     std::optional<Octree> finer = subdivide_at(*tree_, result_.report.faults, 0.5 * finest_octant());
+    if (finer && !wish_) wish_ = tree_;
     if (finer)
       observer_.note(fmt::format("{} faults: their octants subdivided, {} octants now",
                                  result_.report.faults.size(), finer->size()));
@@ -312,6 +315,7 @@ class Run {
   std::unique_ptr<Attempt> band_;
   std::vector<int> broken_;  ///< regions left out
   bool gaps_left_ = false;
+  std::optional<Octree> wish_;  ///< octants of the sizes asked for, where some were subdivided
   std::optional<Octree> tree_;  ///< that of the mesh, when the band has gone
 };
 

@@ -5,8 +5,9 @@
 namespace octet {
 
 void add_reading_options(CLI::App& command, ReadOptions& reading) {
-  command.add_flag("!--no-fuse", reading.fuse,
-                   "Keep solids that touch apart: they share no faces, and their meshes do not fit");
+  command.add_flag_callback(
+      "--no-fuse", [&reading] { reading.fuse = false; },
+      "Keep solids that touch apart: they share no faces, and their meshes do not fit");
   command
       .add_option(
           "--sew", reading.sew_tolerance,

@@ -153,7 +153,7 @@ bool draft_triangles(Workshop& shop, VertexId gone, VertexId kept, const std::ve
     }
   }
   // Not the longest edge alone: collapse by collapse it would grow, and the distance allowed with it.
-  const double size = curved ? std::min(longest, shop.size_at(mesh.points[gone])) : longest;
+  const double size = curved ? std::min(longest, shop.options.size_at(mesh.points[gone])) : longest;
   if (!BoundaryGuard::within(draft.after, BoundaryGuard::bound(draft.before, size))) return false;
   if (!curved) return true;
   const auto volume = [&](const std::array<VertexId, 4>& v) {

@@ -177,7 +177,7 @@ bool swap_fits(const Workshop& shop, const SurfaceSwap& swap) {
   }
   for (const NewTriangle& t : swap.after) after.add(shop.guard.fit(shop.mesh, t.face, t.vertices));
   if (!shop.guard.planar(swap.before[0].face)) {
-    longest = std::min(longest, shop.size_at(shop.mesh.points[swap.before[0].vertices[0]]));
+    longest = std::min(longest, shop.options.size_at(shop.mesh.points[swap.before[0].vertices[0]]));
   }
   return BoundaryGuard::within(after, BoundaryGuard::bound(before, longest));
 }

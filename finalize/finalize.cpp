@@ -101,11 +101,19 @@ FinalizeReport finalize(Mesh& mesh, const Model& model, const FinalizeOptions& o
       raise_mean(shop, polish, observer);
       improve_worst_first(shop, std::max(polish, chased), Effort::kPolish, observer);
       chase(shop, chased, polish, observer);
+      if (options.coarse_size_at) {
+        shop.coarsening = true;
+        collapse_short_edges(shop);
+        raise_mean(shop, polish, observer);
+        chase(shop, chased, polish, observer);
+      }
       raise_mean(shop, polish, observer);
       break;
   }
   Extremes after = extremes(shop.mesh, options.target_dihedral);
-  if (after.range.smallest < before.range.smallest) {
+  const double kept = options.coarse_size_at ? std::min(before.range.smallest, options.target_dihedral)
+                                             : before.range.smallest;
+  if (after.range.smallest < kept) {
     // Shapes grow by the sine, which an obtuse angle may have won by: then the mesh given is the better one.
     shop.report = FinalizeReport{};
     after = before;

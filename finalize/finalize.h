@@ -35,6 +35,9 @@ struct FinalizeOptions {
   std::vector<double> volume_beyond;  ///< of what is not given, per region tag; empty: nothing
   /// Local mesh size asked for at a place (model units); required.
   std::function<double(const Vec3&)> size_at;
+  /// Where octants were made smaller than asked for, the size asked for; empty: nowhere. Once the shapes are
+  /// good, the short edges of that size are collapsed as well, as far as the shapes stay good.
+  std::function<double(const Vec3&)> coarse_size_at;
 };
 
 struct FinalizeReport {
@@ -49,8 +52,8 @@ struct FinalizeReport {
 /// model vertices stay, vertices on model edges move along them, vertices on faces move on them by exact
 /// projection, boundary swaps and collapses keep every model edge a chain and every face a disk-wise surface.
 /// The distance of the boundary to the CAD never grows beyond what the chord error of the local size allows.
-/// The smallest dihedral never decreases. Runs on the threads of the caller's arena; the result does not
-/// depend on their number. [Handbook 15.6]
+/// The smallest dihedral never decreases, but for coarsening, which may lower it to the target. Runs on the
+/// threads of the caller's arena; the result does not depend on their number. [Handbook 15.6]
 FinalizeReport finalize(Mesh& mesh, const Model& model, const FinalizeOptions& options, Observer& observer);
 
 }  // namespace octet

@@ -24,6 +24,7 @@ struct Workshop {
   const FinalizeOptions& options;
   BoundaryGuard guard;
   FinalizeReport report;
+  bool coarsening = false;  ///< sizes are those of `coarse_size_at`
   bool thorough = false;    ///< project every place tried, also where projections are dear
   std::uint64_t work = 0;   ///< evaluations of `shape`, the unit of the work budget
   std::vector<TetId> made;  ///< tetrahedra made or changed by the last operator that succeeded
@@ -37,7 +38,9 @@ struct Workshop {
 
   std::chrono::steady_clock::time_point started = std::chrono::steady_clock::now();
 
-  [[nodiscard]] double size_at(const Vec3& p) const { return options.size_at(p); }
+  [[nodiscard]] double size_at(const Vec3& p) const {
+    return (coarsening ? options.coarse_size_at : options.size_at)(p);
+  }
 };
 
 /// An operator must raise the worst shape of what it touches by this factor (0.1 per cent of an angle), or it

@@ -139,7 +139,12 @@ TEST(SizeCommand, AWrittenFieldGivesTheSameSizesAsAField) {
   EXPECT_NEAR(mean_near(mesh, Vec3(5, 10, 24), 8.0) / 4.0, 1.0, 0.25);
   const double estimate = Json::parse(info.out)["estimated_elements"].get<double>();
   EXPECT_NEAR(estimate / static_cast<double>(mesh.tets.size()), 1.0, 0.4);
-  EXPECT_EQ(run_octet({"info", box(), "--write-field", out.file("b.vtu")}).exit_code, kExitBadInput);
+}
+
+TEST(SizeCommand, InfoTakesSizesOnlyToTellOfThem) {
+  const ProgramRun run = run_octet({"info", box(), "--size", "4"});
+  EXPECT_EQ(run.exit_code, kExitBadInput);
+  EXPECT_NE(run.err.find("--size requires --sizes"), std::string::npos) << run.err;
 }
 
 TEST(SizeCommand, TargetElementsAreMetWithinFifteenPercent) {

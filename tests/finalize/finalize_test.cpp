@@ -266,6 +266,37 @@ TEST(Finalize, CollapsesNicks) {
   EXPECT_GE(report.min_dihedral_after, 20.0 * kDegree);
 }
 
+/// A part finalized at the size `fine`, and at the same size where `coarse` was asked for.
+std::array<Mesh, 2> fine_and_coarse(const Part& part, double fine, double coarse) {
+  const std::vector<int> euler = testing::face_euler(part.mesh, part.model.count(2));
+  std::array<Mesh, 2> meshes{part.mesh, part.mesh};
+  FinalizeOptions options = testing::options_of_size(fine);
+  for (Mesh& mesh : meshes) {
+    Observer observer;
+    const FinalizeReport report = finalize(mesh, part.model, options, observer);
+    EXPECT_EQ(faults_of(mesh, part.model, euler), "");
+    EXPECT_GE(report.min_dihedral_after, 20.0 * kDegree);
+    options.coarse_size_at = [=](const Vec3&) { return coarse; };
+  }
+  return meshes;
+}
+
+TEST(Finalize, CoarsensTowardsTheSizeAskedForAndKeepsShapes) {
+  const auto [fine, coarse] = fine_and_coarse(testing::box_part({1, 1.2, 0.8}, 8, 8, 7, true), 0.13, 0.5);
+  EXPECT_LT(coarse.triangles.size(), 0.5 * fine.triangles.size());
+  EXPECT_LT(coarse.tets.size(), 0.6 * fine.tets.size());
+}
+
+TEST(Finalize, CoarseningKeepsRoundFacesAsNearAsTheFineSizeHasThem) {
+  Part part = testing::ball_part(8);
+  const auto [fine, coarse] = fine_and_coarse(part, 0.15, 0.6);
+  EXPECT_LT(coarse.tets.size(), fine.tets.size());
+  part.mesh = fine;
+  const double deviation = largest_sampled_deviation(part);
+  part.mesh = coarse;
+  EXPECT_LE(largest_sampled_deviation(part), 1.1 * deviation);
+}
+
 TEST(Finalize, LeavesBelowTheTargetOnlyWhatThePartForbids) {
   Part part = testing::box_part({1, 1, 0.02}, 6, 6, 1);
   const FinalizeReport report = finalize_and_check(part, 0.2);
