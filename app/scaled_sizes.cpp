@@ -67,6 +67,7 @@ MeshOptions with_default_size(const Model& model, const MeshOptions& options) {
   const auto sizes = [&](double log_scale) {
     MeshOptions scaled = chosen;
     scaled.size = chosen.size * std::exp(log_scale);
+    scaled.suit_curvature = false;  // it would move the size by up to half an octant's level
     return scaled;
   };
   const double elements = estimated_elements(model, plan_sizes(model, chosen));

@@ -19,8 +19,8 @@ namespace octet {
                                    double log_elements, double start);
 
 /// Where no size is asked for: the part's default size, with octants that suit its commonest radius. When
-/// nothing else is asked for either, the size is scaled so that the mesh will have 2 000 to 500 000 elements.
-/// Other options are returned as they are.
+/// nothing else is asked for either, a size that promises fewer than 2 000 or more than 500 000 elements is
+/// scaled to the nearer of them, whatever the radius. Other options are returned as they are.
 [[nodiscard]] MeshOptions with_default_size(const Model& model, const MeshOptions& options);
 
 }  // namespace octet
