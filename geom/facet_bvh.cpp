@@ -251,14 +251,26 @@ bool FacetBvh::Probe::crosses(const Node& node) const {
   return std::abs(c.x() * half.y() - c.y() * half.x()) <= e.x() * a.y() + e.y() * a.x() + slack;
 }
 
-bool FacetBvh::segment_meets(const Item& item, const Vec3& p, const Vec3& q) {
+/// Separating axes of the segment and the triangle, which has `grow` around it: the normal, the axes of
+/// space, the cross products of the segment with the sides [Ericson 2005, 5.2.1]. The last tell on which side
+/// of each side it passes: without them most triangles of a plane with holes are candidates, for these are
+/// long and thin, and their boxes cover one another.
+bool FacetBvh::meets(const Item& item, const Vec3& p, const Vec3& q) {
   const double hp = item.normal.dot(p - item.a), hq = item.normal.dot(q - item.a);
   if ((hp > item.grow && hq > item.grow) || (hp < -item.grow && hq < -item.grow)) return false;
   for (int k = 0; k < 3; ++k) {
     if (std::max(p[k], q[k]) + item.grow < std::min({item.a[k], item.b[k], item.c[k]})) return false;
     if (std::min(p[k], q[k]) - item.grow > std::max({item.a[k], item.b[k], item.c[k]})) return false;
   }
-  return true;
+  const Vec3 d = q - p;
+  const auto passes = [&](const Vec3& from, const Vec3& to, const Vec3& opposite) {
+    const Vec3 n = d.cross(to - from);
+    const double inward = n.dot(opposite - from), at = n.dot(p - from);
+    const double side = inward < 0.0 ? -at : at;
+    return side < 0.0 && side * side > item.grow * item.grow * n.squaredNorm();
+  };
+  return !passes(item.a, item.b, item.c) && !passes(item.b, item.c, item.a) &&
+         !passes(item.c, item.a, item.b);
 }
 
 void FacetBvh::near(const Vec3& p, double max_distance, int face, std::vector<FacetFoot>& feet) const {
@@ -296,7 +308,7 @@ FacetFoot FacetBvh::foot(const Item& item, const Vec3& p) {
   return near;
 }
 
-bool FacetBvh::box_meets(const Item& item, const Box3& box) {
+bool FacetBvh::meets(const Item& item, const Box3& box) {
   Box3 own;
   own.add(item.a);
   own.add(item.b);

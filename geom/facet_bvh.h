@@ -38,7 +38,7 @@ class FacetBvh {
   /// `grow`: per triangle, how far the exact boundary may lie from it. Faces are numbered 1..faces.
   FacetBvh(const Facets& facets, std::span<const double> grow, int faces);
 
-  /// Calls visit(triangle) for each triangle whose grown box and grown plane meet the segment.
+  /// Calls visit(triangle) for each triangle that the segment meets, grown; a few more near its corners.
   template <class Visit>
   void visit_segment(const Vec3& p, const Vec3& q, const Visit& visit) const;
   /// Calls visit(foot) for each triangle within `radius` plus its growth; `face` 0 means all.
@@ -64,6 +64,16 @@ class FacetBvh {
   template <class Accept>
   [[nodiscard]] std::optional<FacetFoot> nearest_if(const Vec3& p, double max_distance, int face,
                                                     const Accept& accept) const;
+
+  /// Triangles in the tree's order, so that neighbours are near in memory, too.
+  [[nodiscard]] std::uint32_t items() const { return static_cast<std::uint32_t>(items_.size()); }
+  [[nodiscard]] std::uint32_t triangle(std::uint32_t item) const { return items_[item].triangle; }
+  [[nodiscard]] bool item_meets(std::uint32_t item, const Box3& box) const {
+    return meets(items_[item], box);
+  }
+  [[nodiscard]] bool item_meets(std::uint32_t item, const Vec3& p, const Vec3& q) const {
+    return meets(items_[item], p, q);
+  }
 
   [[nodiscard]] double grow(std::uint32_t triangle) const { return grow_[triangle]; }
   [[nodiscard]] double max_grow() const { return max_grow_; }
@@ -120,8 +130,8 @@ class FacetBvh {
     bool straight;                ///< parallel to an axis: it is its box
     Vec3 middle, half;
   };
-  [[nodiscard]] static bool segment_meets(const Item& item, const Vec3& p, const Vec3& q);
-  [[nodiscard]] static bool box_meets(const Item& item, const Box3& box);
+  [[nodiscard]] static bool meets(const Item& item, const Vec3& p, const Vec3& q);
+  [[nodiscard]] static bool meets(const Item& item, const Box3& box);
   [[nodiscard]] static double squared_distance(const Node& node, const Vec3& p);
   [[nodiscard]] static FacetFoot foot(const Item& item, const Vec3& p);
 
@@ -158,7 +168,7 @@ void FacetBvh::visit_segment(const Vec3& p, const Vec3& q, const Visit& visit) c
       continue;
     }
     for (std::int32_t i = node.first; i < node.first - node.second; ++i)
-      if (segment_meets(items_[i], p, q)) visit(items_[i].triangle);
+      if (meets(items_[i], p, q)) visit(items_[i].triangle);
   }
 }
 
@@ -178,7 +188,7 @@ bool FacetBvh::any_in_box(const Box3& box, const Accept& accept) const {
       continue;
     }
     for (std::int32_t i = node.first; i < node.first - node.second; ++i)
-      if (box_meets(items_[i], box) && accept(items_[i].triangle)) return true;
+      if (meets(items_[i], box) && accept(items_[i].triangle)) return true;
   }
   return false;
 }

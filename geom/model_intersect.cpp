@@ -71,13 +71,9 @@ class SegmentQuery {
 
   /// `doubtful` gets the indices of hits whose kind does not follow from the faces' normals.
   void run(std::vector<Hit>& hits, std::vector<std::size_t>& doubtful) {
-    if (!(segment_.length > 0.0) || data_.grid.is_clear(segment_.p, segment_.at(1.0))) return;
-    data_.bvh.visit_segment(segment_.p, segment_.at(1.0), [&](std::uint32_t t) { triangles_.push_back(t); });
+    if (!(segment_.length > 0.0)) return;
+    find_triangles();
     if (triangles_.empty()) return;
-    std::sort(triangles_.begin(), triangles_.end(), [&](std::uint32_t a, std::uint32_t b) {
-      const int fa = data_.facets().face[a], fb = data_.facets().face[b];
-      return fa != fb ? fa < fb : a < b;
-    });
     const std::size_t first = hits.size();
     meet_edges();
     for (std::size_t begin = 0, end = 0; begin < triangles_.size(); begin = end) {
@@ -104,6 +100,21 @@ class SegmentQuery {
  private:
   [[nodiscard]] Chord chord(const BorderSide& side) const {
     return {data_.facets().nodes[side.a], data_.facets().nodes[side.b]};
+  }
+
+  /// Face by face.
+  void find_triangles() {
+    const FacetBvh& bvh = data_.bvh;
+    const Vec3 q = segment_.at(1.0);
+    const bool few = data_.grid.visit_segment(segment_.p, q, [&](std::uint32_t item) {
+      if (bvh.item_meets(item, segment_.p, q)) triangles_.push_back(bvh.triangle(item));
+    });
+    if (!few) bvh.visit_segment(segment_.p, q, [&](std::uint32_t t) { triangles_.push_back(t); });
+    std::sort(triangles_.begin(), triangles_.end(), [&](std::uint32_t a, std::uint32_t b) {
+      const int fa = data_.facets().face[a], fb = data_.facets().face[b];
+      return fa != fb ? fa < fb : a < b;
+    });
+    triangles_.erase(std::unique(triangles_.begin(), triangles_.end()), triangles_.end());
   }
 
   /// Edges that pass the segment within their tolerance, whether or not a face has a root there: so a
@@ -198,12 +209,10 @@ class SegmentQuery {
   }
 
   void meet_face(int face, std::span<const std::uint32_t> triangles, std::vector<Hit>& hits) {
-    seeds_.clear();
     roots_.clear();
-    for (const std::uint32_t t : triangles) seeds_.push_back(data_.seed(t));
     // A little longer at both ends, so that a root at an end is found whatever the rounding.
     const double extra = data_.tolerance / segment_.length;
-    data_.surface(face).intersect(segment_.at(-extra), segment_.at(1.0 + extra), seeds_, roots_);
+    data_.surface(face).intersect(segment_.at(-extra), segment_.at(1.0 + extra), roots_);
     for (const SurfaceRoot& root : roots_) {
       if (root.coincident && (coincident_.empty() || coincident_.back() != face)) coincident_.push_back(face);
       const double t = std::clamp(root.t * (1.0 + 2.0 * extra) - extra, 0.0, 1.0);
@@ -413,7 +422,6 @@ class SegmentQuery {
   std::vector<std::uint32_t> triangles_;
   std::vector<std::int32_t> sides_;
   std::vector<JointEvent> joints_;
-  std::vector<Vec2> seeds_;
   std::vector<SurfaceRoot> roots_;
   std::vector<int> coincident_;  ///< faces whose surface holds the segment
 };

@@ -68,8 +68,7 @@ class Plane final : public Surface {
     return jet;
   }
 
-  void intersect(const Vec3& p, const Vec3& q, std::span<const Vec2>,
-                 std::vector<SurfaceRoot>& roots) const override {
+  void intersect(const Vec3& p, const Vec3& q, std::vector<SurfaceRoot>& roots) const override {
     const double hp = (p - axes_.origin).dot(axes_.z), hq = (q - axes_.origin).dot(axes_.z);
     const double noise = rounding(axes_, p, q, 0.0);
     if (std::abs(hp) <= noise && std::abs(hq) <= noise) {
@@ -105,8 +104,7 @@ class RoundSurface : public Surface {
   RoundSurface(const Axes3& axes, double radius, double u0)
       : axes_(axes), radius_(radius), u0_(u0), hand_(axes.handedness()) {}
 
-  void intersect(const Vec3& p, const Vec3& q, std::span<const Vec2>,
-                 std::vector<SurfaceRoot>& roots) const override {
+  void intersect(const Vec3& p, const Vec3& q, std::vector<SurfaceRoot>& roots) const override {
     const Vec3 a = axes_.to_local(p), d = axes_.direction_to_local(q - p);
     const auto about = [&](double t) { return quadratic(a + t * d, d); };
     const double wrong = rounding(axes_, p, q, radius_);

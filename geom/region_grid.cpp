@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A coarse lattice that answers "which region" at once where the boundary is far.
+// A coarse lattice that answers "which region" at once where the boundary is far, and "which facets" where it
+// is near.
 #include "geom/region_grid.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 
 namespace octet {
 namespace {
@@ -11,9 +14,8 @@ namespace {
 /// Cells in all, as cubes: a few milliseconds to build, and most of the inside of a compact part, or of a
 /// plate of a twentieth of its length, is known.
 constexpr double kCells = 1 << 17;
-constexpr int kMostCells = 512;  ///< along one side
-constexpr std::int32_t kBoundary = RegionGrid::kUnknown;
-constexpr std::int32_t kEmpty = -2;  // not yet flooded
+constexpr int kMostCells = 512;                                            ///< along one side
+constexpr std::int32_t kEmpty = std::numeric_limits<std::int32_t>::max();  // not yet flooded
 
 }  // namespace
 
@@ -25,8 +27,10 @@ RegionGrid::RegionGrid(const FacetBvh& bvh, const Box3& box,
   width_ = std::max(std::cbrt(size.prod() / kCells), size.maxCoeff() / kMostCells);
   for (int k = 0; k < 3; ++k)
     cells_[k] = std::clamp(static_cast<int>(std::ceil(box.size()[k] / width_)), 1, kMostCells);
-  label_.assign(static_cast<std::size_t>(cells_[0]) * cells_[1] * cells_[2], kBoundary);
-  mark_empty(bvh, {0, 0, 0}, cells_);
+  label_.assign(static_cast<std::size_t>(cells_[0]) * cells_[1] * cells_[2], kEmpty);
+  std::vector<std::uint32_t> all(bvh.items());
+  std::iota(all.begin(), all.end(), 0u);
+  sort_items(bvh, {0, 0, 0}, cells_, all, all.size());
   Cell c;
   for (c[2] = 0; c[2] < cells_[2]; ++c[2])
     for (c[1] = 0; c[1] < cells_[1]; ++c[1])
@@ -44,22 +48,26 @@ Box3 RegionGrid::box_of(const Cell& lo, const Cell& hi) const {
 }
 
 /// Halves the block of cells until it is empty or one cell.
-void RegionGrid::mark_empty(const FacetBvh& bvh, const Cell& lo, const Cell& hi) {
-  if (!bvh.meets(box_of(lo, hi))) {
-    Cell c;
-    for (c[2] = lo[2]; c[2] < hi[2]; ++c[2])
-      for (c[1] = lo[1]; c[1] < hi[1]; ++c[1])
-        for (c[0] = lo[0]; c[0] < hi[0]; ++c[0]) label_[index(c)] = kEmpty;
-    return;
-  }
+void RegionGrid::sort_items(const FacetBvh& bvh, const Cell& lo, const Cell& hi,
+                            std::vector<std::uint32_t>& near, std::size_t count) {
+  const Box3 box = box_of(lo, hi);
+  const std::size_t given = near.size() - count, kept = near.size();
+  for (std::size_t i = given; i < kept; ++i)
+    if (bvh.item_meets(near[i], box)) near.push_back(near[i]);
   int axis = 0;
   for (int k = 1; k < 3; ++k)
     if (hi[k] - lo[k] > hi[axis] - lo[axis]) axis = k;
-  if (hi[axis] - lo[axis] == 1) return;
-  Cell middle_hi = hi, middle_lo = lo;
-  middle_hi[axis] = middle_lo[axis] = (lo[axis] + hi[axis]) / 2;
-  mark_empty(bvh, lo, middle_hi);
-  mark_empty(bvh, middle_lo, hi);
+  if (near.size() > kept && hi[axis] - lo[axis] > 1) {
+    Cell middle_hi = hi, middle_lo = lo;
+    middle_hi[axis] = middle_lo[axis] = (lo[axis] + hi[axis]) / 2;
+    sort_items(bvh, lo, middle_hi, near, near.size() - kept);
+    sort_items(bvh, middle_lo, hi, near, near.size() - kept);
+  } else if (near.size() > kept) {
+    label_[index(lo)] = ~static_cast<std::int32_t>(first_.size() - 1);
+    items_.insert(items_.end(), near.begin() + static_cast<std::ptrdiff_t>(kept), near.end());
+    first_.push_back(static_cast<std::uint32_t>(items_.size()));
+  }
+  near.resize(kept);
 }
 
 void RegionGrid::flood(const Cell& start, int region) {
@@ -91,20 +99,7 @@ bool RegionGrid::find_cell(const Vec3& p, Cell& cell) const {
 
 int RegionGrid::at(const Vec3& p) const {
   Cell c;
-  return find_cell(p, c) ? label_[index(c)] : kUnknown;
-}
-
-bool RegionGrid::is_clear(const Vec3& p, const Vec3& q) const {
-  constexpr int kMostSteps = 8;
-  Cell a, b;
-  if (!find_cell(p.cwiseMin(q), a) || !find_cell(p.cwiseMax(q), b)) return false;
-  if (b[0] - a[0] + b[1] - a[1] + b[2] - a[2] > kMostSteps) return false;
-  Cell c;
-  for (c[2] = a[2]; c[2] <= b[2]; ++c[2])
-    for (c[1] = a[1]; c[1] <= b[1]; ++c[1])
-      for (c[0] = a[0]; c[0] <= b[0]; ++c[0])
-        if (label_[index(c)] == kBoundary) return false;
-  return true;
+  return find_cell(p, c) ? std::max(label_[index(c)], kUnknown) : kUnknown;
 }
 
 }  // namespace octet

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <memory>
-#include <span>
 #include <vector>
 
 #include "base/vec.h"
@@ -38,11 +37,8 @@ class Surface {
   virtual ~Surface() = default;
   /// `derivatives` is 0, 1 or 2; what is above it is left zero.
   [[nodiscard]] virtual SurfaceJet evaluate(const Vec2& uv, int derivatives) const = 0;
-  /// Appends every root of the segment p..q with the surface over its (u,v) box. `seeds` are (u,v) of facets
-  /// near the segment: closed forms ignore them, iterative ones may start there but must not lose roots
-  /// that an extra subdivision would find.
-  virtual void intersect(const Vec3& p, const Vec3& q, std::span<const Vec2> seeds,
-                         std::vector<SurfaceRoot>& roots) const = 0;
+  /// Appends every root of the segment p..q with the surface over its (u,v) box.
+  virtual void intersect(const Vec3& p, const Vec3& q, std::vector<SurfaceRoot>& roots) const = 0;
   /// Foot point of p near the seed (closed forms ignore the seed but for periods and ties).
   [[nodiscard]] virtual SurfaceFoot project(const Vec3& p, const Vec2& seed) const = 0;
   /// Unit normal du x dv; at a singular point the limit along the seed's direction, or zero when there is

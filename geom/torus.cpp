@@ -119,8 +119,7 @@ class Torus final : public Surface {
     return jet;
   }
 
-  void intersect(const Vec3& p, const Vec3& q, std::span<const Vec2>,
-                 std::vector<SurfaceRoot>& roots) const override {
+  void intersect(const Vec3& p, const Vec3& q, std::vector<SurfaceRoot>& roots) const override {
     const LocalSegment segment{axes_.to_local(p), axes_.direction_to_local(q - p)};
     const Bernstein<4> f = quartic(segment);
     const double size = major_ + minor_;

@@ -83,9 +83,8 @@ class RecognisedSurface final : public Surface {
   SurfaceJet evaluate(const Vec2& uv, int derivatives) const override {
     return form_->surface().evaluate(uv, derivatives);
   }
-  void intersect(const Vec3& p, const Vec3& q, std::span<const Vec2> seeds,
-                 std::vector<SurfaceRoot>& roots) const override {
-    form_->surface().intersect(p, q, seeds, roots);
+  void intersect(const Vec3& p, const Vec3& q, std::vector<SurfaceRoot>& roots) const override {
+    form_->surface().intersect(p, q, roots);
   }
   SurfaceFoot project(const Vec3& p, const Vec2& seed) const override {
     return form_->surface().project(p, seed);

@@ -20,8 +20,7 @@ class OcctSurface final : public Surface {
     return jets_.evaluate(uv, derivatives);
   }
 
-  void intersect(const Vec3& p, const Vec3& q, std::span<const Vec2>,
-                 std::vector<SurfaceRoot>& roots) const override {
+  void intersect(const Vec3& p, const Vec3& q, std::vector<SurfaceRoot>& roots) const override {
     tree_->intersect(p, q, roots);
   }
 

@@ -110,6 +110,28 @@ TEST(FacetBvh, SegmentVisitsEveryTriangleThatItPierces) {
   }
 }
 
+TEST(FacetBvh, SegmentVisitsNoTriangleThatItPassesBeside) {
+  // Two long thin triangles, one in the other's box; the segment pierces the plane of both, but one triangle.
+  Facets facets;
+  facets.nodes = {{0, 0, 0}, {10, 9, 0}, {10, 10, 0}, {10, 10.5, 0}, {0, 0.5, 0}};
+  facets.triangles = {{0, 1, 2}, {2, 3, 4}};
+  facets.face = {1, 1};
+  const double grow = 0.01;
+  const FacetBvh bvh(facets, std::vector<double>(2, grow), 1);
+  const auto visited = [&](const Vec3& p, const Vec3& q) {
+    std::set<std::uint32_t> triangles;
+    bvh.visit_segment(p, q, [&](std::uint32_t t) { triangles.insert(t); });
+    return triangles;
+  };
+  using Set = std::set<std::uint32_t>;
+  for (const Vec3& d : {Vec3(0, 0, 1), Vec3(0.1, -0.2, 1)}) {
+    EXPECT_EQ(visited(Vec3(8, 7.6, 0) - d, Vec3(8, 7.6, 0) + d), Set{0});
+    EXPECT_EQ(visited(Vec3(8, 8.3, 0) - d, Vec3(8, 8.3, 0) + d), Set{1});
+    EXPECT_EQ(visited(Vec3(8, 7.1, 0) - d, Vec3(8, 7.1, 0) + d), Set{});
+    EXPECT_EQ(visited(Vec3(8, 7.2 - 0.9 * grow, 0) - d, Vec3(8, 7.2 - 0.9 * grow, 0) + d), Set{0});
+  }
+}
+
 TEST(FacetBvh, DegenerateTrianglesAreSegments) {
   const Vec3 a(0, 0, 0), b(2, 0, 0);
   const FacetFoot foot = closest_on_triangle(Vec3(0.5, 1, 0), a, b, b);

@@ -84,7 +84,7 @@ TEST(Quadrics, EveryRootLiesOnTheSurfaceAtItsParameters) {
       const Vec3 p = c.axes.to_world(dice.vec(Vec3::Constant(-2.5), Vec3::Constant(2.5)));
       const Vec3 q = c.axes.to_world(dice.vec(Vec3::Constant(-2.5), Vec3::Constant(2.5)));
       std::vector<SurfaceRoot> roots;
-      c.surface->intersect(p, q, {}, roots);
+      c.surface->intersect(p, q, roots);
       for (const SurfaceRoot& r : roots) {
         ++found;
         ASSERT_GE(r.t, 0.0);
@@ -107,7 +107,7 @@ TEST(Quadrics, NoRootIsMissedByASegmentSampledDensely) {
       const Vec3 p = dice.vec(Vec3::Constant(-2.2), Vec3::Constant(2.2));
       const Vec3 q = dice.vec(Vec3::Constant(-2.2), Vec3::Constant(2.2));
       std::vector<SurfaceRoot> roots;
-      c.surface->intersect(c.axes.to_world(p), c.axes.to_world(q), {}, roots);
+      c.surface->intersect(c.axes.to_world(p), c.axes.to_world(q), roots);
       std::size_t changes = 0;
       constexpr int kSteps = 1500;
       for (int k = 0; k < kSteps; ++k)
@@ -150,12 +150,12 @@ TEST(Quadrics, TouchingSegmentsGiveOneTangentRoot) {
   const auto cylinder = make_cylinder({}, 1.0);
   for (const auto& s : {sphere, cylinder}) {
     std::vector<SurfaceRoot> roots;
-    s->intersect(Vec3(-1, 1, 0), Vec3(2, 1, 0), {}, roots);
+    s->intersect(Vec3(-1, 1, 0), Vec3(2, 1, 0), roots);
     ASSERT_EQ(roots.size(), 1u) << s->kind();
     EXPECT_TRUE(roots[0].tangent);
     EXPECT_NEAR(roots[0].t, 1.0 / 3.0, 1e-14);
     roots.clear();
-    s->intersect(Vec3(-1, 1 - 1e-12, 0), Vec3(2, 1 - 1e-12, 0), {}, roots);
+    s->intersect(Vec3(-1, 1 - 1e-12, 0), Vec3(2, 1 - 1e-12, 0), roots);
     ASSERT_EQ(roots.size(), 2u) << s->kind();
     EXPECT_FALSE(roots[0].tangent);
   }
@@ -165,8 +165,8 @@ TEST(Quadrics, SegmentsInTheSurfaceAreCoincident) {
   const auto cylinder = make_cylinder({}, 1.0);
   const auto cone = make_cone({}, -std::atan(1.0), 1.0);
   std::vector<SurfaceRoot> roots;
-  cylinder->intersect(Vec3(0, 1, 0), Vec3(0, 1, 3), {}, roots);
-  cone->intersect(Vec3(1, 0, 0), Vec3(0.25, 0, 0.75), {}, roots);
+  cylinder->intersect(Vec3(0, 1, 0), Vec3(0, 1, 3), roots);
+  cone->intersect(Vec3(1, 0, 0), Vec3(0.25, 0, 0.75), roots);
   ASSERT_EQ(roots.size(), 4u);
   for (const SurfaceRoot& r : roots) EXPECT_TRUE(r.coincident);
 }
@@ -175,7 +175,7 @@ TEST(Torus, HardTangenciesAreCountedRight) {
   const auto torus = make_torus({}, 2.0, 0.5);
   const auto count = [&](const Vec3& p, const Vec3& q) {
     std::vector<SurfaceRoot> roots;
-    torus->intersect(p, q, {}, roots);
+    torus->intersect(p, q, roots);
     return roots;
   };
   // Fourth order contact with the top circle.

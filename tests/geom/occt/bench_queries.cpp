@@ -43,11 +43,37 @@ struct PlaneCut {
   double value = 0.0;
 };
 
+/// What an octree asks: edges of octants of a sixtieth of the part that meet its boundary, octant by octant,
+/// in runs from all over the part.
+std::vector<std::pair<Vec3, Vec3>> octant_edges(const Model& model) {
+  const double h = model.diagonal() / 60.0;
+  const Vec3 lo = model.box().lo - 0.3717 * Vec3::Constant(h);
+  const Vec3 last = (model.box().hi - lo) / h;
+  std::vector<Vec3> octants;
+  for (int z = 0; z <= last.z(); ++z)
+    for (int y = 0; y <= last.y(); ++y)
+      for (int x = 0; x <= last.x(); ++x) {
+        Box3 octant;
+        octant.lo = lo + h * Vec3(x, y, z);
+        octant.hi = octant.lo + Vec3::Constant(h);
+        if (model.near_boundary(octant)) octants.push_back(octant.lo);
+      }
+  constexpr std::size_t kRuns = 16, kLength = 16;
+  std::vector<std::pair<Vec3, Vec3>> edges;
+  for (std::size_t run = 0; run < kRuns; ++run)
+    for (std::size_t i = 0; i < kLength; ++i)
+      for (int axis = 0; axis < 3; ++axis) {
+        const Vec3& p = octants[(octants.size() * run / kRuns + i) % octants.size()];
+        edges.emplace_back(p, p + h * Vec3::Unit(axis));
+      }
+  return edges;
+}
+
 /// A part, the questions, and OCCT's classes ready to answer.
 struct Bench {
   explicit Bench(const std::filesystem::path& path) : part(read_with_shape(path)) {
     LatticeSegments random(part.model, 0.0);
-    for (int i = 0; i < kQuestions; ++i) segments.push_back(random.next());
+    segments = octant_edges(part.model);
     const Box3& box = part.model.box();
     for (int i = 0; i < kQuestions; ++i)
       points.emplace_back(box.lo +

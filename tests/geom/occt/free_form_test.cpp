@@ -49,7 +49,7 @@ std::shared_ptr<const Surface> nurbs_sphere() {
 
 std::vector<SurfaceRoot> roots_of(const Surface& surface, const Vec3& p, const Vec3& q) {
   std::vector<SurfaceRoot> roots;
-  surface.intersect(p, q, {}, roots);
+  surface.intersect(p, q, roots);
   return roots;
 }
 

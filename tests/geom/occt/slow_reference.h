@@ -14,7 +14,7 @@ inline std::vector<double> events_without_facets(const Model& model, const Vec3&
   std::vector<SurfaceRoot> roots;
   for (int tag = 1; tag <= model.count(2); ++tag) {
     roots.clear();
-    model.surface(tag).intersect(p, q, {}, roots);
+    model.surface(tag).intersect(p, q, roots);
     for (const SurfaceRoot& root : roots)
       if (model.face_side(tag, root.uv) != TrimSide::kOut) all.push_back(root.t);
   }

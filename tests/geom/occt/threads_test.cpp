@@ -116,7 +116,7 @@ TEST(Threads, ShareAnOffsetSurface) {
       const SurfaceFoot foot = surface->project(p, {0.5, 0.5});
       note(bits, foot.point);
       std::vector<SurfaceRoot> roots;
-      surface->intersect(p, p - Vec3(0, 0, 6), {}, roots);
+      surface->intersect(p, p - Vec3(0, 0, 6), roots);
       for (const SurfaceRoot& root : roots) note(bits, root.t);
     }
     return bits;
