@@ -54,23 +54,6 @@ std::vector<std::uint8_t> rings(const Octree& tree, const OctreeVertices& vertic
   return ring;
 }
 
-/// Vertices of the octants off the boundary that have a vertex of the first ring which is no point, for it is
-/// too near the surface: there the second ring stands in for it.
-std::vector<std::uint8_t> around_gaps_of_first_ring(const Octree& tree, const OctreeVertices& vertices,
-                                                    const OctreeLabels& labels,
-                                                    std::span<const std::uint8_t> ring,
-                                                    std::span<const std::uint8_t> kept) {
-  std::vector<std::uint8_t> around(vertices.size(), 0);
-  for (std::size_t o = 0; o < tree.size(); ++o) {
-    const auto& corners = vertices.corners[o];
-    if (labels.type[o] != OctantType::kBoundary &&
-        std::any_of(corners.begin(), corners.end(),
-                    [&](std::uint32_t v) { return ring[v] == 0 && kept[v] == 0; }))
-      for_each_vertex(tree, vertices, OctantId(o), [&](std::uint32_t v) { around[v] = 1; });
-  }
-  return around;
-}
-
 }  // namespace
 
 void seed_octree_vertices(SeedState& state, const OctreeVertices& vertices, const OctreeLabels& labels,
@@ -87,14 +70,8 @@ void seed_octree_vertices(SeedState& state, const OctreeVertices& vertices, cons
   };
   std::vector<std::uint8_t>& kept = seeds.octree_vertex_kept;
   kept.assign(vertices.size(), 0);
-  for (std::uint32_t v = 0; v < vertices.size(); ++v)
-    if (ring[v] == 0) kept[v] = is_clear(v) ? 1 : 0;
-  const std::vector<std::uint8_t> stands_in =
-      around_gaps_of_first_ring(state.tree, vertices, labels, ring, kept);
   for (std::uint32_t v = 0; v < vertices.size(); ++v) {
-    if (ring[v] == 0) continue;
-    const bool wanted =
-        labels.vertex_region[v] != 0 || stands_in[v] != 0 || is_pillar(vertices.at[v], spacing);
+    const bool wanted = labels.vertex_region[v] != 0 || is_pillar(vertices.at[v], spacing);
     kept[v] = wanted && (ring[v] == 2 || is_clear(v)) ? 1 : 0;
   }
   seeds.surface_points = seeds.points.size();
