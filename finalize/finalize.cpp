@@ -95,7 +95,6 @@ FinalizeReport finalize(Mesh& mesh, const Model& model, const FinalizeOptions& o
       chase(shop, target, polish, observer);
       break;
     case FinalizeScope::kAll:
-      relax_for_mean(shop, polish, 1);
       raise_mean(shop, polish, observer);
       collapse_for_mean(shop, polish);
       raise_mean(shop, polish, observer);

@@ -42,7 +42,8 @@ void seed_model_vertices(SeedState& state);
 void seed_model_edges(SeedState& state);
 /// Points on the model faces: octant-edge cuts by spacing within the face's closure, in matched pairs.
 void seed_model_faces(SeedState& state, const std::vector<OctantEdgeCut>& cuts);
-/// Octree vertices inside and away from the surface, and pillars for octants of that length everywhere.
+/// Octree vertices away from the surface; outside ones only in narrow gaps, and pillars for octants of that
+/// length everywhere.
 void seed_octree_vertices(SeedState& state, const OctreeVertices& vertices, const OctreeLabels& labels,
                           double length);
 

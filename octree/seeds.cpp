@@ -36,22 +36,33 @@ void for_each_vertex(const Octree& tree, const OctreeVertices& vertices, OctantI
     if (v != kNoVertex) mark(v);
 }
 
-/// How near the boundary each octree vertex is: 0 on a boundary octant, hanging on it included; 1 on an
-/// octant that has such a vertex; 2 farther.
-std::vector<std::uint8_t> rings(const Octree& tree, const OctreeVertices& vertices,
-                                const OctreeLabels& labels) {
-  std::vector<std::uint8_t> ring(vertices.size(), 2);
+/// Where each octree vertex is, as far as the boundary goes.
+struct Surroundings {
+  /// 0 on a boundary octant, hanging on it included; 1 on an octant that has such a vertex; 2 farther.
+  std::vector<std::uint8_t> ring;
+  /// Of the first ring: whether it is on an outside octant.
+  std::vector<std::uint8_t> open;
+};
+
+Surroundings surroundings(const Octree& tree, const OctreeVertices& vertices, const OctreeLabels& labels) {
+  Surroundings result{std::vector<std::uint8_t>(vertices.size(), 2),
+                      std::vector<std::uint8_t>(vertices.size(), 0)};
+  auto& [ring, open] = result;
   for (std::size_t o = 0; o < tree.size(); ++o)
     if (labels.type[o] == OctantType::kBoundary)
       for_each_vertex(tree, vertices, OctantId(o), [&](std::uint32_t v) { ring[v] = 0; });
   for (std::size_t o = 0; o < tree.size(); ++o) {
     const auto& corners = vertices.corners[o];
-    if (labels.type[o] != OctantType::kBoundary &&
-        std::any_of(corners.begin(), corners.end(), [&](std::uint32_t v) { return ring[v] == 0; }))
-      for_each_vertex(tree, vertices, OctantId(o),
-                      [&](std::uint32_t v) { ring[v] = std::min<std::uint8_t>(ring[v], 1); });
+    if (labels.type[o] == OctantType::kBoundary ||
+        std::none_of(corners.begin(), corners.end(), [&](std::uint32_t v) { return ring[v] == 0; }))
+      continue;
+    const bool outside = labels.type[o] == OctantType::kOut;
+    for_each_vertex(tree, vertices, OctantId(o), [&](std::uint32_t v) {
+      ring[v] = std::min<std::uint8_t>(ring[v], 1);
+      open[v] |= outside ? 1 : 0;
+    });
   }
-  return ring;
+  return result;
 }
 
 }  // namespace
@@ -60,9 +71,9 @@ void seed_octree_vertices(SeedState& state, const OctreeVertices& vertices, cons
                           double length) {
   const Lattice::value_type spacing = pillar_spacing(state.tree, length);
   Seeds& seeds = state.seeds;
-  const std::vector<std::uint8_t> ring = rings(state.tree, vertices, labels);
+  const auto [ring, open] = surroundings(state.tree, vertices, labels);
   // Octree vertices are on a lattice of their own spacing: only points placed before them can be too close.
-  const auto is_clear = [&](std::uint32_t v) {
+  const auto is_clear = [&, &ring = ring](std::uint32_t v) {
     const Vec3 p = state.tree.position(vertices.at[v]);
     const double clear = kOctreeSpacing * state.tree.length(vertices.finest_level[v]);
     return !state.points_grid.any_within(p, clear, [](std::uint32_t, double) { return true; }) &&
@@ -71,7 +82,9 @@ void seed_octree_vertices(SeedState& state, const OctreeVertices& vertices, cons
   std::vector<std::uint8_t>& kept = seeds.octree_vertex_kept;
   kept.assign(vertices.size(), 0);
   for (std::uint32_t v = 0; v < vertices.size(); ++v) {
-    const bool wanted = labels.vertex_region[v] != 0 || is_pillar(vertices.at[v], spacing);
+    // Outside, those in narrow gaps and small voids tell what lies there; along open ground none is needed.
+    const bool wanted =
+        labels.vertex_region[v] != 0 || (ring[v] == 0 && open[v] == 0) || is_pillar(vertices.at[v], spacing);
     kept[v] = wanted && (ring[v] == 2 || is_clear(v)) ? 1 : 0;
   }
   seeds.surface_points = seeds.points.size();

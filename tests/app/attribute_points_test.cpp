@@ -136,10 +136,12 @@ TEST(AttributePoints, ACellThatHasSpentItsPointsStaysOpenAndTheOthersClose) {
 TEST(AttributePoints, AMissingEdgePieceIsFoundAndSplit) {
   const Model model = analytic_box(Vec3(1, 1, 1), {});
   Bench bench(model, 0.5);
-  // A point just inside the middle of an edge piece breaks it.
+  // Points just inside and just outside of the middle of an edge piece break it.
   const EdgePiece first = bench.pieces().front();
   const Vec3 middle = model.edge_point(first.edge, 0.5 * (first.ta + first.tb));
-  bench.add(middle + 0.05 * (Vec3(0.5, 0.5, 0.5) - middle), model_region(1));
+  const Vec3 inwards = 0.05 * (Vec3(0.5, 0.5, 0.5) - middle);
+  bench.add(middle + inwards, model_region(1));
+  bench.add(middle - inwards, model_region(0));
   bench.triangulate([](const Vec3&, ModelRef) { return true; });
   const std::vector<Gap> gaps = bench.gaps();
   ASSERT_FALSE(gaps.empty());
