@@ -3,7 +3,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "finalize/mean_shape.h"
@@ -18,12 +20,22 @@ struct StarMeasure {
 };
 
 /// Bases (x, y, z) such that (x, y, z, place) is positive. What depends on the base alone is found once, and
-/// four tetrahedra are evaluated at once, by the same operations in the same order on every machine:
-/// smoothing spends nearly all of its time here.
+/// four tetrahedra are evaluated at once, by the same operations in the same order on every machine, in
+/// registers as wide as the machine has: smoothing spends nearly all of its time here.
 class StarBases {
  public:
-  void clear();
-  void add(const Vec3& x, const Vec3& y, const Vec3& z);
+  void clear() { count_ = 0; }
+  void add(const Vec3& x, const Vec3& y, const Vec3& z) {
+    const std::size_t number = count_ / kLanes, lane = count_ % kLanes;
+    ++count_;
+    if (number == blocks_.size()) grow();
+    Block& block = blocks_[number];
+    for (int i = 0; i < 3; ++i) {
+      block.x[i][lane] = x[i];
+      block.y[i][lane] = y[i];
+      block.z[i][lane] = z[i];
+    }
+  }
   /// To be called when all are added, before anything is asked.
   void close();
   [[nodiscard]] std::size_t size() const { return count_; }
@@ -41,17 +53,28 @@ class StarBases {
   /// Root of the mean squared distance between the place and the corners of the bases.
   [[nodiscard]] double mean_length(const Vec3& place) const;
 
- private:
   static constexpr std::size_t kLanes = 4;
-  using Lanes = Eigen::Array<double, kLanes, 1>;
-  using LaneVec = std::array<Lanes, 3>;
-
+  /// Elementwise arithmetic; a type of the compiler's, for which it makes code for several machines.
+  typedef double Lanes
+      __attribute__((vector_size(kLanes * sizeof(double)), aligned(kLanes * sizeof(double))));
+  struct LaneVec {
+    Lanes row[3];
+    [[nodiscard]] Lanes& operator[](std::size_t i) { return row[i]; }
+    [[nodiscard]] const Lanes& operator[](std::size_t i) const { return row[i]; }
+  };
   /// Four bases; what is left over repeats the first, with no weight in sums.
   struct Block {
     LaneVec x, y, z, xy, xz, yz, normal;  ///< normal: xy cross xz
     Lanes lxy, lxz, lyz, normal2;         ///< squared lengths
     Lanes weight;
   };
+
+ private:
+  void grow();
+  [[nodiscard]] std::span<Block> blocks() { return {blocks_.data(), (count_ + kLanes - 1) / kLanes}; }
+  [[nodiscard]] std::span<const Block> blocks() const {
+    return {blocks_.data(), (count_ + kLanes - 1) / kLanes};
+  }
 
   std::size_t count_ = 0;
   std::vector<Block> blocks_;   ///< grows only; of use are the first ceil(count / 4)
