@@ -89,7 +89,6 @@ FinalizeReport finalize(Mesh& mesh, const Model& model, const FinalizeOptions& o
       }
       break;
     case FinalizeScope::kFast:
-      relax_for_mean(shop, polish, 1);
       raise_mean(shop, polish, observer);
       improve_worst_first(shop, target, Effort::kPolish, observer);
       chase(shop, target, polish, observer);
