@@ -103,9 +103,9 @@ std::vector<std::vector<VertexId>> coloured(const WorkMesh& mesh, const Stars& s
 }
 
 /// Moves the vertices of one list; those on or beside curved faces one after the other, for they share the
-/// account of the volumes. Marks in `disturbed` what is to be smoothed again.
+/// account of the volumes. Marks in `disturbed` what is to be smoothed again, where that is asked for.
 void relax_list(Workshop& shop, const Stars& stars, const std::vector<VertexId>& list, double floor,
-                std::vector<char>& disturbed) {
+                std::vector<char>* disturbed) {
   std::vector<MeanMove> moves(list.size());
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, list.size(), 256), [&](const auto& range) {
     LocalStar star;
@@ -128,9 +128,9 @@ void relax_list(Workshop& shop, const Stars& stars, const std::vector<VertexId>&
       record_stand(shop, list[i], move.stand);
       ++shop.report.smoothed;
     }
-    if (move.step < kDisturbs) continue;
+    if (disturbed == nullptr || move.step < kDisturbs) continue;
     for (const TetId t : stars.of(list[i])) {
-      for (const VertexId w : shop.mesh.tets[t]) disturbed[w.index()] = 1;
+      for (const VertexId w : shop.mesh.tets[t]) (*disturbed)[w.index()] = 1;
     }
   }
 }
@@ -202,7 +202,7 @@ void relax_for_mean(Workshop& shop, double floor, int sweeps) {
       list.clear();
       std::copy_if(all.begin(), all.end(), std::back_inserter(list),
                    [&](VertexId v) { return active[v.index()] != 0; });
-      relax_list(shop, stars, list, floor, disturbed);
+      relax_list(shop, stars, list, floor, sweep + 1 < sweeps ? &disturbed : nullptr);
     }
     active.swap(disturbed);
   }

@@ -63,13 +63,12 @@ OCTET_WIDE_CLONES void close(Block& b) {
   b.normal2 = dot(b.normal, b.normal);
 }
 
-OCTET_WIDE_CLONES StarMeasure measure(std::span<const Block> blocks, const Vec3& place, double floor,
-                                      double* shapes) {
+OCTET_WIDE_CLONES void measure(std::span<const Block> blocks, const Vec3& place, double floor, double* shapes,
+                               StarMeasure& result) {
   // The same as `shape` and `distortion`, with one quotient for the angles: the sine at an edge is
   // 6 V |e| / (|n| |m|), so over the common denominator of all four faces each edge has its other two faces.
   constexpr double kTiny = std::numeric_limits<double>::min();  // where faces have no area, nor volume
   constexpr double kRatio = kRatioWeight * 432.0;
-  StarMeasure result;
   Lanes total{};
   for (const Block& b : blocks) {
     const LaneVec px = minus(place, b.x), py = minus(place, b.y), pz = minus(place, b.z);
@@ -84,11 +83,10 @@ OCTET_WIDE_CLONES StarMeasure measure(std::span<const Block> blocks, const Vec3&
     for (std::size_t lane = 0; lane < kLanes; ++lane) shapes[lane] = shape[lane];
     shapes += kLanes;
     result.worst = std::min(result.worst, least_lane(shape));
-    if (result.worst <= floor) return result;
+    if (result.worst <= floor) return;
     total += b.weight * (root(cube) / volume);
   }
   result.distortion = kDistortionUnit * sum_of(total);
-  return result;
 }
 
 OCTET_WIDE_CLONES bool differentiate(std::span<const Block> blocks, const Vec3& place, Distortion& sum) {
@@ -166,7 +164,9 @@ std::array<Vec3, 3> StarBases::operator[](std::size_t i) const {
 }
 
 StarMeasure StarBases::measure(const Vec3& place, double floor) {
-  return star_lanes::measure(blocks(), place, floor, shapes_.data());
+  StarMeasure result;
+  star_lanes::measure(blocks(), place, floor, shapes_.data(), result);
+  return result;
 }
 
 bool StarBases::differentiate(const Vec3& place, Distortion& sum) const {

@@ -2,6 +2,8 @@
 // The mesh that can be edited: tetrahedra with neighbours and classification.
 #include "finalize/work_mesh.h"
 
+#include <oneapi/tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <tuple>
@@ -43,12 +45,12 @@ std::vector<FaceSlot> sorted_faces(const Mesh& mesh) {
       faces[next[key[0]]++] = {key, t, f, odd};
     }
   }
-  for (std::size_t v = 0; v + 1 < start.size(); ++v) {
+  tbb::parallel_for(std::size_t{0}, mesh.points.size(), [&](std::size_t v) {
     std::sort(faces.begin() + start[v], faces.begin() + start[v + 1],
               [](const FaceSlot& p, const FaceSlot& q) {
                 return std::tie(p.key[1], p.key[2], p.tet) < std::tie(q.key[1], q.key[2], q.tet);
               });
-  }
+  });
   return faces;
 }
 
@@ -161,8 +163,11 @@ WorkMesh to_work_mesh(const Mesh& mesh, std::size_t fixed) {
       work.tets[t][c] = VertexId(mesh.tets[i][c]);
       work.tet_of[work.tets[t][c]] = t;
     }
-    work.quality[t] = shape(work.point(t, 0), work.point(t, 1), work.point(t, 2), work.point(t, 3));
   }
+  tbb::parallel_for(std::size_t{0}, tets, [&](std::size_t i) {
+    const TetId t(i);
+    work.quality[t] = shape(work.point(t, 0), work.point(t, 1), work.point(t, 2), work.point(t, 3));
+  });
   const std::vector<FaceSlot> faces = sorted_faces(mesh);
   link_neighbours(work, faces);
   tag_faces(work, mesh, faces);

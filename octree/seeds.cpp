@@ -2,6 +2,8 @@
 // The first point set, step by step.
 #include "octree/seeds.h"
 
+#include <oneapi/tbb/parallel_for.h>
+
 #include <algorithm>
 
 #include "octree/interior.h"
@@ -81,12 +83,12 @@ void seed_octree_vertices(SeedState& state, const OctreeVertices& vertices, cons
   };
   std::vector<std::uint8_t>& kept = seeds.octree_vertex_kept;
   kept.assign(vertices.size(), 0);
-  for (std::uint32_t v = 0; v < vertices.size(); ++v) {
+  tbb::parallel_for(std::uint32_t{0}, static_cast<std::uint32_t>(vertices.size()), [&](std::uint32_t v) {
     // Outside, those in narrow gaps and small voids tell what lies there; along open ground none is needed.
     const bool wanted =
         labels.vertex_region[v] != 0 || (ring[v] == 0 && open[v] == 0) || is_pillar(vertices.at[v], spacing);
     kept[v] = wanted && (ring[v] == 2 || is_clear(v)) ? 1 : 0;
-  }
+  });
   seeds.surface_points = seeds.points.size();
   seeds.octree_point.assign(vertices.size(), UINT32_MAX);
   for (std::uint32_t v = 0; v < vertices.size(); ++v) {
