@@ -25,7 +25,8 @@ constexpr int kGapSamples = 24;       // of closed forms
 constexpr int kFreeGapSamples = 100;  // where the gap may swing with the knots
 /// Measured gaps are maxima over samples; the true one is a little larger.
 constexpr double kGapShare = 1.2;
-/// Of the part's diagonal: an edge that is farther off its faces, and farther than it is long, is misplaced.
+/// Of the part's diagonal: an edge that is farther off its faces or vertices, and farther than it is long, is
+/// misplaced.
 constexpr double kMisplaced = 0.05;
 
 double diagonal_of(const ModelParts& parts) {
@@ -107,14 +108,27 @@ void refuse_misplaced(const Numbering& numbering, int tag, double diagonal, cons
                    model_edge(tag));
 }
 
-void measure_vertices(double floor, ModelParts& parts) {
+/// Loops are open where an edge ends far from its vertex.
+void refuse_open_end(std::size_t tag, int vertex, const Vec3& end, double gap, double diagonal,
+                     const ModelEdge& edge) {
+  if (edge.use == EdgeUse::kDegenerate || gap <= std::max(edge.length, kMisplaced * diagonal)) return;
+  throw ModelError(
+      fmt::format("Edge {} ends at ({:.6g}, {:.6g}, {:.6g}), {:.3g} mm off Vertex {}, and is {:.3g} mm long: "
+                  "the loops that it is in are open there",
+                  tag, end.x(), end.y(), end.z(), gap, vertex, edge.length),
+      model_edge(static_cast<int>(tag)));
+}
+
+void measure_vertices(double floor, double diagonal, ModelParts& parts) {
   for (std::size_t v = 1; v < parts.vertices.size(); ++v) parts.vertices[v].tolerance = floor;
   for (std::size_t e = 1; e < parts.edges.size(); ++e) {
     const ModelEdge& edge = parts.edges[e];
     if (!parts.curves[e]) continue;
     for (int end = 0; end < 2; ++end) {
       ModelVertex& vertex = parts.vertices[edge.vertex[end]];
-      const double gap = (parts.curves[e]->point(end == 0 ? edge.t0 : edge.t1) - vertex.point).norm();
+      const Vec3 point = parts.curves[e]->point(end == 0 ? edge.t0 : edge.t1);
+      const double gap = (point - vertex.point).norm();
+      refuse_open_end(e, edge.vertex[end], point, gap, diagonal, edge);
       vertex.tolerance = std::max(vertex.tolerance, kGapShare * gap);
     }
   }
@@ -152,7 +166,7 @@ void measure_gaps(const Numbering& numbering, ModelParts& parts) {
   const double floor = std::min(1e-7, 1e-8 * diagonal);
   measure_edges(numbering, floor, parts);
   for (int tag = 1; tag <= numbering.count(1); ++tag) refuse_misplaced(numbering, tag, diagonal, parts);
-  measure_vertices(floor, parts);
+  measure_vertices(floor, diagonal, parts);
 }
 
 void measure_volumes(const Numbering& numbering, ModelParts& parts) { integrate(numbering, parts); }

@@ -27,6 +27,7 @@
 #include <TopoDS_Vertex.hxx>
 #include <TopoDS_Wire.hxx>
 #include <gp_Pln.hxx>
+#include <gp_Pnt.hxx>
 #include <gp_Trsf.hxx>
 #include <gp_Vec.hxx>
 #include <numbers>
@@ -206,6 +207,20 @@ TEST(Heal, AnEdgeElsewhereThanItsFaceIsRefusedByName) {
   } catch (const ModelError& error) {
     EXPECT_EQ(error.entity(), model_edge(5));
     EXPECT_NE(std::string(error.what()).find("Edge 5 lies up to"), std::string::npos) << error.what();
+  }
+}
+
+TEST(Heal, AnEdgeThatEndsFarFromItsVertexIsRefusedByName) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(1.0, 2.0, 3.0).Shape();
+  TopTools_IndexedMapOfShape vertices;
+  TopExp::MapShapes(box, TopAbs_VERTEX, vertices);
+  BRep_Builder().UpdateVertex(TopoDS::Vertex(vertices(3)), gp_Pnt(9.0, 9.0, 9.0), 20.0);
+  try {
+    (void)model_from_shape(box);
+    FAIL() << "the box was taken";
+  } catch (const ModelError& error) {
+    EXPECT_EQ(error.entity().dim, 1);
+    EXPECT_NE(std::string(error.what()).find("off Vertex 3"), std::string::npos) << error.what();
   }
 }
 
