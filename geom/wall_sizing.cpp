@@ -43,9 +43,9 @@ class WallSizer {
         wishes_(options.size, options.min_size),
         neighbours_(faces_of_edges(model)) {}
 
-  /// None when the budget is passed.
-  std::optional<std::vector<SizeSample>> run() {
-    for (std::size_t t = 0; t < facets_.triangles.size(); ++t) {
+  /// The wishes of every `stride`-th facet; none when they pass the budget.
+  std::optional<std::vector<SizeSample>> run(std::size_t stride = 1) {
+    for (std::size_t t = 0; t < facets_.triangles.size(); t += stride) {
       const int face = facets_.face[t];
       for (const int side : {-1, 1}) {
         const bool inside = model_.face(face).region[side > 0 ? 1 : 0] != 0;
@@ -95,11 +95,13 @@ class WallSizer {
     return box.grown(1e-6 * reach);
   }
 
-  /// Gathers the facets that rays from the triangle may meet; whether one of them is a sheet.
+  /// Gathers the facets that rays from the triangle may meet, unless they are many: where sheets lie on one
+  /// another each ray finds its own. Whether one of them may be a sheet.
   bool look_ahead(const std::array<Vec3, 3>& corners, const Probe& probe) {
+    constexpr std::size_t kMany = 256;
     ahead_.clear();
     bool any = false;
-    model_.bvh().any_in_box(swept(corners, probe), [&](std::uint32_t t) {
+    crowded_ = model_.bvh().any_in_box(swept(corners, probe), [&](std::uint32_t t) {
       const std::array<Vec3, 3> c = facet_corners(facets_, t);
       Ahead facet{t, is_sheet(c, t, probe), {}};
       double height = 0.0;
@@ -110,9 +112,9 @@ class WallSizer {
       if (t == probe.facet || height < 0.5 * model_.tolerance()) return false;
       ahead_.push_back(facet);
       any = any || facet.is_sheet;
-      return false;
+      return ahead_.size() > kMany;
     });
-    return any;
+    return any || crowded_;
   }
 
   [[nodiscard]] bool is_sheet(const std::array<Vec3, 3>& c, std::uint32_t t, const Probe& probe) const {
@@ -125,15 +127,35 @@ class WallSizer {
   /// Length along the probe's direction to the next facet ahead from number `first` on, infinite where that
   /// is no sheet or beyond reach.
   [[nodiscard]] double thickness(const Vec3& p, const Probe& probe, std::size_t first) const {
+    const double reach = reach_of(probe);
     double nearest = kNoSize;
     bool is_sheet = false;
-    for (std::size_t n = first; n < ahead_.size(); ++n) {
+    if (crowded_) {
+      std::uint32_t facet = 0;
+      for (double length = reach / 64.0; !(nearest <= length) && length <= reach; length *= 8.0)
+        nearest = first_along(p, length * probe.direction, probe, facet);
+      is_sheet = nearest <= reach && this->is_sheet(facet_corners(facets_, facet), facet, probe);
+    }
+    for (std::size_t n = first; n < ahead_.size() && !crowded_; ++n) {
       const double s = along(p, probe.direction, ahead_[n].facet);
       if (s >= nearest) continue;
       nearest = s;
       is_sheet = ahead_[n].is_sheet;
     }
-    return is_sheet && nearest <= reach_of(probe) ? nearest : kNoSize;
+    return is_sheet && nearest <= reach ? nearest : kNoSize;
+  }
+
+  /// Length to the first facet on the way, ties to the lowest number.
+  [[nodiscard]] double first_along(const Vec3& p, const Vec3& way, const Probe& probe,
+                                   std::uint32_t& facet) const {
+    double nearest = kNoSize;
+    model_.bvh().visit_segment(p, p + way, [&](std::uint32_t t) {
+      const double s = t == probe.facet ? kNoSize : along(p, probe.direction, t);
+      if (s > nearest || (s == nearest && t > facet)) return;
+      nearest = s;
+      facet = t;
+    });
+    return nearest;
   }
 
   /// Length along the ray to a facet, infinite when it is missed or starts there.
@@ -149,6 +171,7 @@ class WallSizer {
 
   /// The facets ahead of the triangle are among those from number `from` on.
   void probe(const std::array<Vec3, 3>& corners, const Probe& side, std::size_t from) {
+    if (crowded_) return halve_or_wish(corners, side, from);
     const std::size_t first = ahead_.size();
     const Box3 box = swept(corners, side);
     bool any = false;
@@ -199,6 +222,7 @@ class WallSizer {
   Wishes wishes_;
   std::vector<std::vector<int>> neighbours_;  ///< per face: those that share an edge with it, ascending
   std::vector<Ahead> ahead_;  ///< what the running probe may meet, then the same for each halving
+  bool crowded_ = false;      ///< they are too many for that
   double elements_ = 0.0;
 };
 
@@ -208,8 +232,14 @@ std::vector<SizeSample> wall_sizes(const Model& model, const WallOptions& option
   constexpr double kFinestShare = 1e-3;  // where no smallest size is given
   WallOptions tried = options;
   tried.min_size = std::max(options.min_size, kFinestShare * options.size);
+  // Of countless facets a few tell whether the rest are worth asking.
+  constexpr std::size_t kStride = 64, kCountless = 1000 * kStride;
+  WallOptions share = options;
+  share.budget *= 2.0 / kStride;
   for (;; tried.min_size *= 2.0) {
     if (tried.min_size >= options.size) return {};
+    share.min_size = tried.min_size;
+    if (model.facets().triangles.size() > kCountless && !WallSizer(model, share).run(kStride)) continue;
     if (auto samples = WallSizer(model, tried).run()) return *std::move(samples);
   }
 }

@@ -5,7 +5,9 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
+#include <vector>
 
+#include "geom/facet_bvh.h"
 #include "octree/interior.h"
 #include "octree/seed_state.h"
 
@@ -69,17 +71,74 @@ Surroundings surroundings(const Octree& tree, const OctreeVertices& vertices, co
 
 }  // namespace
 
+namespace {
+
+/// Where the CAD does not know on which side of its boundary a place lies: within an edge's corridor or a
+/// vertex's ball of twice its tolerance. An octree vertex there would say what cannot be said.
+class Vagueness {
+ public:
+  explicit Vagueness(const Model& model) : model_(model), reach_(model.count(2) + 1, 0.0) {
+    for (int f = 1; f <= model.count(2); ++f) {
+      double& reach = reach_[static_cast<std::size_t>(f)];
+      for (const int v : model.face(f).vertices) reach = std::max(reach, reach_of(model_vertex(v)));
+      for (const FaceBoundary& side : model.face(f).boundary)
+        reach = std::max(reach, reach_of(model_edge(side.edge)));
+      widest_ = std::max(widest_, reach);
+    }
+  }
+
+  /// Whether p is vague, of places that keep `clear` from the boundary.
+  [[nodiscard]] bool covers(const Vec3& p, double clear) const {
+    if (widest_ <= clear) return false;
+    std::vector<int> faces;
+    model_.bvh().visit_within(p, widest_, 0, [&](const FacetFoot& foot) {
+      const int face = model_.facets().face[foot.triangle];
+      if (reach_[static_cast<std::size_t>(face)] > clear) faces.push_back(face);
+    });
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    return std::any_of(faces.begin(), faces.end(), [&](int f) { return has_it_at_its_border(f, p, clear); });
+  }
+
+ private:
+  [[nodiscard]] double reach_of(ModelRef entity) const { return 2.0 * model_.tolerance_of(entity); }
+
+  [[nodiscard]] bool has_it_at_its_border(int f, const Vec3& p, double clear) const {
+    const ModelFace& face = model_.face(f);
+    const auto in_ball = [&](int v) {
+      return (p - model_.vertex(v).point).norm() < reach_of(model_vertex(v));
+    };
+    const auto in_corridor = [&](const FaceBoundary& side) {
+      const double reach = reach_of(model_edge(side.edge));
+      return reach > clear && model_.edge_closest(side.edge, p).distance < reach;
+    };
+    return std::any_of(face.vertices.begin(), face.vertices.end(), in_ball) ||
+           std::any_of(face.boundary.begin(), face.boundary.end(), in_corridor);
+  }
+
+  const Model& model_;
+  std::vector<double> reach_;  ///< per face: the widest at its border
+  double widest_ = 0.0;
+};
+
+}  // namespace
+
 void seed_octree_vertices(SeedState& state, const OctreeVertices& vertices, const OctreeLabels& labels,
                           double length) {
   const Lattice::value_type spacing = pillar_spacing(state.tree, length);
   Seeds& seeds = state.seeds;
   const auto [ring, open] = surroundings(state.tree, vertices, labels);
+  const Vagueness vagueness(state.model);
+  const auto is_vague = [&](std::uint32_t v) {
+    return vagueness.covers(state.tree.position(vertices.at[v]),
+                            kOctreeSpacing * state.tree.length(vertices.finest_level[v]));
+  };
   // Octree vertices are on a lattice of their own spacing: only points placed before them can be too close.
   const auto is_clear = [&, &ring = ring](std::uint32_t v) {
     const Vec3 p = state.tree.position(vertices.at[v]);
     const double clear = kOctreeSpacing * state.tree.length(vertices.finest_level[v]);
     return !state.points_grid.any_within(p, clear, [](std::uint32_t, double) { return true; }) &&
-           !(ring[v] == 0 && state.model.closest(p, clear));
+           !(ring[v] == 0 && state.model.closest(p, clear)) && !is_vague(v);
   };
   std::vector<std::uint8_t>& kept = seeds.octree_vertex_kept;
   kept.assign(vertices.size(), 0);
@@ -87,7 +146,7 @@ void seed_octree_vertices(SeedState& state, const OctreeVertices& vertices, cons
     // Outside, those in narrow gaps and small voids tell what lies there; along open ground none is needed.
     const bool wanted =
         labels.vertex_region[v] != 0 || (ring[v] == 0 && open[v] == 0) || is_pillar(vertices.at[v], spacing);
-    kept[v] = wanted && (ring[v] == 2 || is_clear(v)) ? 1 : 0;
+    kept[v] = wanted && (ring[v] == 2 ? !is_vague(v) : is_clear(v)) ? 1 : 0;
   });
   seeds.surface_points = seeds.points.size();
   seeds.octree_point.assign(vertices.size(), UINT32_MAX);

@@ -111,6 +111,23 @@ TEST(Seeds, OctreeVerticesKeepTheirDistanceFromTheSurface) {
   EXPECT_GT(inside, 50u);
 }
 
+TEST(Seeds, NoOctreeVertexStandsWhereTheCadDoesNotKnowItsSide) {
+  ModelParts parts = analytic_box(Vec3(1, 1, 1), {oblique(), 1e-3}).parts();
+  parts.edges[1].tolerance = 0.11;
+  const Model model(std::move(parts));
+  const Stage stage = seed(model, 0.1);
+  const auto corridor = [&](const Vec3& p) { return model.edge_closest(1, p).distance; };
+  double nearest = 1.0;
+  std::size_t vague = 0;
+  for (std::size_t v = 0; v < stage.vertices.size(); ++v) {
+    const double distance = corridor(stage.tree.position(stage.vertices.at[v]));
+    vague += distance < 0.22;
+    if (stage.seeds.octree_vertex_kept[v]) nearest = std::min(nearest, distance);
+  }
+  EXPECT_GT(vague, 50u);
+  EXPECT_GE(nearest, 0.22);
+}
+
 TEST(Seeds, AThinPlateGetsEveryPointTwiceStraightAcross) {
   const double thickness = 0.02;
   const Model model = analytic_box(Vec3(1, 1, thickness), {});
