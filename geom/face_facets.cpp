@@ -14,23 +14,66 @@ namespace {
 
 constexpr int kPasses = 24;
 
-/// Mean lengths of the derivatives: in (u,v) scaled by them circles are nearly circles on the surface.
-Vec2 metric_scale(const SurfaceJets& surface, const std::vector<Vec2>& uv) {
-  Vec2 sum = Vec2::Zero();
-  Vec2 lo = uv.front(), hi = uv.front();
-  for (const Vec2& p : uv) {
-    lo = lo.cwiseMin(p);
-    hi = hi.cwiseMax(p);
-  }
-  constexpr int kGrid = 5;
-  for (int i = 0; i < kGrid; ++i)
-    for (int j = 0; j < kGrid; ++j) {
-      const Vec2 at = lo + (hi - lo).cwiseProduct(Vec2((i + 0.5) / kGrid, (j + 0.5) / kGrid));
-      const SurfaceJet jet = surface(at, 1);
-      sum += Vec2(jet.du.norm(), jet.dv.norm());
+/// Jets on a grid over the box of the loops.
+class JetGrid {
+ public:
+  static constexpr int kSide = 5;
+
+  JetGrid(const SurfaceJets& surface, const std::vector<Vec2>& uv) {
+    Vec2 lo = uv.front(), hi = uv.front();
+    for (const Vec2& p : uv) {
+      lo = lo.cwiseMin(p);
+      hi = hi.cwiseMax(p);
     }
-  const auto usable = [](double x) { return std::isfinite(x) && x > 0.0 ? x : 1.0; };
-  return {usable(sum.x() / (kGrid * kGrid)), usable(sum.y() / (kGrid * kGrid))};
+    size_ = hi - lo;
+    for (int i = 0; i < kSide; ++i)
+      for (int j = 0; j < kSide; ++j) {
+        const Vec2 share((i + 0.5) / kSide, (j + 0.5) / kSide);
+        jets_.push_back(surface(lo + size_.cwiseProduct(share), 1));
+      }
+  }
+
+  /// Mean lengths of the derivatives.
+  [[nodiscard]] Vec2 mean_lengths() const {
+    Vec2 sum = Vec2::Zero();
+    for (const SurfaceJet& jet : jets_) sum += Vec2(jet.du.norm(), jet.dv.norm());
+    const auto usable = [](double x) { return std::isfinite(x) && x > 0.0 ? x : 1.0; };
+    return {usable(sum.x() / (kSide * kSide)), usable(sum.y() / (kSide * kSide))};
+  }
+
+  /// Whether the normal stays the same along lines of u (0) or v (1).
+  [[nodiscard]] bool keeps_normal_along(int axis) const {
+    for (int line = 0; line < kSide; ++line)
+      for (int i = 1; i < kSide; ++i)
+        if (!(normal(axis, line, 0).dot(normal(axis, line, i)) > 1.0 - 1e-9)) return false;
+    return true;
+  }
+
+  [[nodiscard]] Vec2 size() const { return size_; }
+
+ private:
+  [[nodiscard]] Vec3 normal(int axis, int line, int i) const {
+    const SurfaceJet& jet = jets_[axis == 0 ? i * kSide + line : line * kSide + i];
+    return jet.du.cross(jet.dv).normalized();
+  }
+
+  std::vector<SurfaceJet> jets_;
+  Vec2 size_;
+};
+
+/// In (u,v) scaled by this circles are nearly circles on the surface. A long face that is straight along its
+/// length is shortened: a wire would get as many rows of facets as its radius goes into its length.
+Vec2 metric_scale(const SurfaceJets& surface, const std::vector<Vec2>& uv) {
+  constexpr double kLong = 2.0;
+  const JetGrid grid(surface, uv);
+  Vec2 scale = grid.mean_lengths();
+  for (const int axis : {0, 1}) {
+    const Vec2 extent = grid.size().cwiseProduct(scale);
+    const double longest = kLong * extent[1 - axis];
+    if (extent[axis] > longest && longest > 0.0 && grid.keeps_normal_along(axis))
+      scale[axis] *= longest / extent[axis];
+  }
+  return scale;
 }
 
 /// Puts points where the facets are too far from the surface or too flat for its curvature.

@@ -101,6 +101,7 @@ class WallSizer {
     constexpr std::size_t kMany = 256;
     ahead_.clear();
     bool any = false;
+    std::size_t seen = 0;
     crowded_ = model_.bvh().any_in_box(swept(corners, probe), [&](std::uint32_t t) {
       const std::array<Vec3, 3> c = facet_corners(facets_, t);
       Ahead facet{t, is_sheet(c, t, probe), {}};
@@ -109,10 +110,10 @@ class WallSizer {
         facet.box.add(corner);
         height = std::max(height, (corner - corners[0]).dot(probe.direction));
       }
-      if (t == probe.facet || height < 0.5 * model_.tolerance()) return false;
+      if (t == probe.facet || height < 0.5 * model_.tolerance()) return ++seen > kMany;
       ahead_.push_back(facet);
       any = any || facet.is_sheet;
-      return ahead_.size() > kMany;
+      return ++seen > kMany;
     });
     return any || crowded_;
   }
