@@ -31,6 +31,9 @@ namespace {
 /// tree has more octants than a moment's work.
 constexpr int kSubdivisions = 6, kPatience = 2;
 constexpr std::size_t kCheapTree = 20'000;
+/// Gaps of a boundary that crosses itself beyond which smaller octants are not tried: they cure none of its
+/// crossings, and where these leave few gaps the rest may still close.
+constexpr std::size_t kHopelessGaps = 1000;
 /// How often a mesh without gaps that fails a claim is made again with smaller octants at its faults.
 constexpr int kSecondTries = 3;
 /// Attribute points for the gaps of one octant. Where gaps closed, in eight parts with small features, no
@@ -127,7 +130,8 @@ class Run {
             "bounds no volume; mend the part there",
             model_.describe(model_face(crossing.face[0])), model_.describe(model_face(crossing.face[1])),
             crossing.place.x(), crossing.place.y(), crossing.place.z()));
-      result_.report.warnings.push_back(warning_of(crossing, model_));
+      crossings_.push_back(warning_of(crossing, model_));
+      result_.report.warnings.push_back(crossings_.back());
     }
   }
 
@@ -148,7 +152,8 @@ class Run {
       const bool better = !band_ || openness(next->closed) < openness(band_->closed);
       if (better) best = depth;
       std::optional<Octree> finer;
-      if (!next->closed.gaps.empty() && depth < kSubdivisions)
+      const bool hopeless = !crossings_.empty() && next->closed.gaps.size() > kHopelessGaps;
+      if (!next->closed.gaps.empty() && !hopeless && depth < kSubdivisions)
         finer = subdivide_at_gaps(*next, model_, 0.5 * finest_octant());
       if (finer && depth - best >= kPatience && finer->size() > kCheapTree) finer.reset();
       if (finer && !wish_) wish_ = next->tree;
@@ -163,6 +168,7 @@ class Run {
     broken_ = broken_regions(*band_, model_);
     auto& faults = result_.report.faults;
     faults = describe_left_out(*band_, model_, broken_);
+    if (gaps_left_) faults.insert(faults.begin(), crossings_.begin(), crossings_.end());
     for (const Gap& gap : band_->closed.gaps) faults.push_back(describe_gap(model_, gap));
   }
 
@@ -315,6 +321,8 @@ class Run {
   std::unique_ptr<Attempt> band_;
   std::vector<int> broken_;  ///< regions left out
   bool gaps_left_ = false;
+  std::vector<Fault>
+      crossings_;               ///< of faces, too shallow for the size to tell: why gaps are left, if any are
   std::optional<Octree> wish_;  ///< octants of the sizes asked for, where some were subdivided
   std::optional<Octree> tree_;  ///< that of the mesh, when the band has gone
 };
