@@ -11,7 +11,7 @@ name, difficulty and kind. The judges are independent programs that print JSON (
 `meshvscad PART MESH`). With --assemblies (needs meshstat) the table also tells the regions, how many of the model's
 faces between two regions have triangles, how many such triangles there are (each face of two tetrahedra of
 different regions must be one, once), and the worst error of a region's volume against the CAD's. With --turns N each part is meshed as it stands and turned at
-random N times (the same turns each time; build the target octet_turn_part), and runs of other status than the part's
+random N times (the same turns each time, at the size of the part as it stands; build the target octet_turn_part), and runs of other status than the part's
 as it stands, or more than a tenth more or fewer elements, are told. The exit code is 0 when every run is complete and every judge content.
 """
 import argparse
@@ -141,24 +141,27 @@ def judge_part(args, part, mesh):
 
 
 def size_options(args, part, size):
-    if size == "default":
+    """The size as an option; turned parts get that of the part as it stands, whose box they do not share."""
+    if size == "default" and not args.turns:
         return []
     if size.startswith("="):
         return ["--target-elements", size[1:]]
     code, out, err, _ = call([args.octet, "info", part, "--json"], args.limit)
     if code != 0:
         raise RuntimeError(err.strip() if code is not None else "octet info ran out of time")
-    return ["--size", repr(json.loads(out)["diagonal"] / float(size))]
+    info = json.loads(out)
+    return ["--size", repr(info["default_size"] if size == "default" else info["diagonal"] / float(size))]
 
 
-def run_one(args, part, size, folder):
+def run_one(args, part, size, folder, standing):
+    """One row of the table; `standing` is the part itself, or what it was before it was turned."""
     name = os.path.basename(part)
     mesh = os.path.join(folder, f"{name}-{size}.msh")
     report_file = mesh + ".json"
     row = dict.fromkeys(HEAD, "-")
     row.update(file=name, size=size if size == "default" or size.startswith("=") else f"d/{size}", status="-", why="", good=False)
     try:
-        options = size_options(args, part, size)
+        options = size_options(args, standing, size)
     except RuntimeError as error:
         row.update(status="refused", why=str(error))
         return row
@@ -247,9 +250,11 @@ def main():
         folder = args.keep or scratch
         os.makedirs(folder, exist_ok=True)
         with ThreadPoolExecutor(max_workers=args.jobs) as pool:
+            standing = {p: p for p in parts}
             if args.turns:
-                parts = [t for p in parts for t in turned_parts(args, p, folder)]
-            jobs = [pool.submit(run_one, args, p, s, folder) for p in parts for s in sizes]
+                standing = {t: p for p in parts for t in turned_parts(args, p, folder)}
+                parts = list(standing)
+            jobs = [pool.submit(run_one, args, p, s, folder, standing[p]) for p in parts for s in sizes]
             widths = widths_of(args, parts)
             print_row({h: h for h in HEAD}, widths)
             rows = []
