@@ -25,8 +25,8 @@ constexpr int kGapSamples = 24;       // of closed forms
 constexpr int kFreeGapSamples = 100;  // where the gap may swing with the knots
 /// Measured gaps are maxima over samples; the true one is a little larger.
 constexpr double kGapShare = 1.2;
-/// Of the part's diagonal: an edge that is farther off its faces or vertices, and farther than it is long, is
-/// misplaced.
+/// Of the part's diagonal: an edge that is farther off its faces or vertices, and farther than half its
+/// length (a circle whose two curves start at opposite places is off by a third), is misplaced.
 constexpr double kMisplaced = 0.05;
 
 double diagonal_of(const ModelParts& parts) {
@@ -93,7 +93,7 @@ void measure_edges(const Numbering& numbering, double floor, ModelParts& parts) 
 void refuse_misplaced(const Numbering& numbering, int tag, double diagonal, const ModelParts& parts) {
   const ModelEdge& edge = parts.edges[tag];
   const double gap = edge.tolerance / kGapShare;
-  if (edge.use == EdgeUse::kDegenerate || gap <= std::max(edge.length, kMisplaced * diagonal)) return;
+  if (edge.use == EdgeUse::kDegenerate || gap <= std::max(0.5 * edge.length, kMisplaced * diagonal)) return;
   int worst = edge.faces.front();
   double widest = 0.0;
   for (const int face : edge.faces) {
@@ -111,7 +111,7 @@ void refuse_misplaced(const Numbering& numbering, int tag, double diagonal, cons
 /// Loops are open where an edge ends far from its vertex.
 void refuse_open_end(std::size_t tag, int vertex, const Vec3& end, double gap, double diagonal,
                      const ModelEdge& edge) {
-  if (edge.use == EdgeUse::kDegenerate || gap <= std::max(edge.length, kMisplaced * diagonal)) return;
+  if (edge.use == EdgeUse::kDegenerate || gap <= std::max(0.5 * edge.length, kMisplaced * diagonal)) return;
   throw ModelError(
       fmt::format("Edge {} ends at ({:.6g}, {:.6g}, {:.6g}), {:.3g} mm off Vertex {}, and is {:.3g} mm long: "
                   "the loops that it is in are open there",

@@ -8,7 +8,7 @@
 namespace octet {
 
 /// Fills lengths and tolerances; after fill_topology(). Notes edges whose gap is larger than the file's
-/// tolerance. ModelError: an edge off its faces, or with an end off its vertex, by more than its own length
+/// tolerance. ModelError: an edge off its faces, or with an end off its vertex, by more than half its length
 /// and a twentieth of the part's.
 void measure_gaps(const Numbering& numbering, ModelParts& parts);
 
