@@ -194,6 +194,31 @@ TEST(FaceFacets, FollowACylinderWithinTheDeflection) {
   EXPECT_NEAR(area, 2.0 * kPi * 5.0 * 30.0, 0.02 * 2.0 * kPi * 5.0 * 30.0);
 }
 
+TEST(FaceFacets, AWireGetsNoMoreOfThemForBeingLong) {
+  const auto surface = make_cylinder(Axes3{}, 1.0);
+  const auto facets_of = [&](double length) {
+    FaceLoops loops;
+    std::vector<Vec2> border;
+    constexpr int kSides = 12;
+    for (int i = 0; i <= kSides; ++i) border.push_back({2.0 * kPi * i / kSides, 0.0});
+    for (int i = kSides; i >= 0; --i) border.push_back({2.0 * kPi * i / kSides, length});
+    add_loop(loops, border);
+    FacetLimits limits;
+    limits.deflection = 0.05;
+    const FaceFacets facets = facet_face(jets_of(*surface), false, loops, limits);
+    expect_closed(loops, facets.triangles);
+    for (const auto& t : facets.triangles) {
+      Vec3 centre = Vec3::Zero();
+      for (const std::uint32_t corner : t) centre += surface->evaluate(facets.uv[corner], 0).p / 3.0;
+      EXPECT_GT(centre.head<2>().norm(), 1.0 - 0.1);
+    }
+    return facets.triangles.size();
+  };
+  const std::size_t of_short = facets_of(4.0 * kPi);
+  EXPECT_GT(of_short, 20u);
+  EXPECT_EQ(facets_of(1000.0), of_short);
+}
+
 TEST(FaceFacets, PutPointsInsideASphereOfOneCoarseLoop) {
   const auto surface = make_sphere(Axes3{}, 1.0);
   FaceLoops loops;
