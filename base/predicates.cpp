@@ -65,18 +65,16 @@ auto minors(const Difference<T>& a, const Difference<T>& b, const Difference<T>&
   return Minors<std::remove_const_t<decltype(abc)>>{abc, abd, acd, bcd};
 }
 
+template <class T>
+auto lift(const Difference<T>& p) {
+  return (p.x * p.x + p.y * p.y) + p.z * p.z;
+}
+
 // Determinant of the rows (a, |a|^2) .. (d, |d|^2) with its sign changed, expanded along the last column.
 template <class T, class M>
 auto insphere_determinant(const Difference<T>& a, const Difference<T>& b, const Difference<T>& c,
                           const Difference<T>& d, const M& m) {
-  const auto lift = [](const Difference<T>& p) { return (p.x * p.x + p.y * p.y) + p.z * p.z; };
   return (lift(a) * m.bcd - lift(b) * m.acd) + (lift(c) * m.abd - lift(d) * m.abc);
-}
-
-template <class T>
-auto insphere_determinant(const Difference<T>& a, const Difference<T>& b, const Difference<T>& c,
-                          const Difference<T>& d) {
-  return insphere_determinant(a, b, c, d, minors(a, b, c, d));
 }
 
 Difference<double> minus(const Vec3& a, const Vec3& b) {
@@ -160,16 +158,15 @@ int insphere_exact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, c
   });
 }
 
-/// Sign where the filter is sure of it.
+/// Sign where the filter is sure of it. No difference is longer than the longest of the four, which the
+/// lifts tell.
 std::optional<int> insphere_filtered(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d,
                                      const Vec3& e) {
-  const std::array<Difference<double>, 4> rows{minus(a, e), minus(b, e), minus(c, e), minus(d, e)};
-  const Extents m = extents(rows);
-  if (flat(m)) return 0;
-  if (!in_range(m)) return std::nullopt;
-  const double det = insphere_determinant(rows[0], rows[1], rows[2], rows[3]);
-  const double top = std::max({m.x, m.y, m.z});
-  if (std::abs(det) <= kInsphereError * (m.x * m.y * m.z) * (top * top)) return std::nullopt;
+  const Difference<double> pa = minus(a, e), pb = minus(b, e), pc = minus(c, e), pd = minus(d, e);
+  const double det = insphere_determinant(pa, pb, pc, pd, minors(pa, pb, pc, pd));
+  const double square = std::max(std::max(lift(pa), lift(pb)), std::max(lift(pc), lift(pd)));
+  if (!(square > kSmallest * kSmallest && square < kLargest * kLargest)) return std::nullopt;
+  if (std::abs(det) <= kInsphereError * (square * square) * std::sqrt(square)) return std::nullopt;
   return sign_of(det);
 }
 
