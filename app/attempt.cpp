@@ -24,7 +24,7 @@ class Subdivision {
   Subdivision(const Octree& tree, double finest) : tree_(tree), finest_(finest) {}
 
   void take(OctantId o, double longest) {
-    if (tree_.length(tree_[o].level) > longest * (1.0 + 1e-9) && tree_[o].level < kLatticeLevels)
+    if (tree_.length(tree_[o].level) > longest * (1.0 + 1e-9) && tree_[o].level < kDeepestLevel)
       octants_.push_back(o);
   }
   /// The octant that holds a place, and those beside it.
@@ -48,7 +48,7 @@ class Subdivision {
 
  private:
   void take_around(const Vec3& place, double longest) {
-    const double half = 0.5 * tree_.size_at(place);
+    const double half = 0.5 * tree_.length_at(place);
     for (int i = 0; i < 27; ++i)
       take(tree_.find(place + half * Vec3(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1)), longest);
   }

@@ -9,7 +9,7 @@ namespace octet {
 namespace {
 
 /// Of a boundary octant about half lies inside, in more and flatter tetrahedra: the median over 80 parts.
-constexpr double kTetsPerBoundaryOctant = 4.0;
+constexpr double kTetsPerBoundaryOctant = 7.0;
 
 }  // namespace
 

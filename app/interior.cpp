@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Template octants: their points kept out of the band, their tetrahedra looked up.
+// Template octants: their points kept out of the band, their tetrahedra written down.
 #include "app/interior.h"
 
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
-
-#include "delaunay/templates.h"
+#include <optional>
 
 namespace octet {
 namespace {
@@ -15,28 +14,17 @@ namespace {
 /// Octants and vertices a task.
 constexpr std::size_t kGrain = 4096;
 
-bool hangs(const Octree& tree, const OctreeVertices& vertices, OctantId o) {
-  const OctantLattice lattice = octant_lattice(tree, vertices, o);
-  return std::any_of(kHangingPoint.begin(), kHangingPoint.end(),
-                     [&](std::uint8_t p) { return lattice[p] != kNoVertex; });
-}
-
 void flag_lattice(const Octree& tree, const OctreeVertices& vertices, OctantId o,
                   std::vector<std::uint8_t>& flags) {
   for (const std::uint32_t v : octant_lattice(tree, vertices, o))
     if (v != kNoVertex) flags[v] = 1;
 }
 
-/// Deep octants that hang, or share a vertex with one that hangs or is of the band, become near.
+/// Deep octants that share a vertex with one that is of the band become near.
 void part_near_from_deep(const Octree& tree, const OctreeVertices& vertices, std::vector<OctantRole>& role) {
   std::vector<std::uint8_t> beside(vertices.size(), 0);
-  for (std::size_t i = 0; i < role.size(); ++i) {
-    if (role[i] == OctantRole::kDeep) {
-      if (!hangs(tree, vertices, OctantId(i))) continue;
-      role[i] = OctantRole::kNear;
-    }
-    flag_lattice(tree, vertices, OctantId(i), beside);
-  }
+  for (std::size_t i = 0; i < role.size(); ++i)
+    if (role[i] == OctantRole::kBand) flag_lattice(tree, vertices, OctantId(i), beside);
   for (std::size_t i = 0; i < role.size(); ++i) {
     const auto& corners = vertices.corners[i];
     if (role[i] == OctantRole::kDeep &&
@@ -45,56 +33,67 @@ void part_near_from_deep(const Octree& tree, const OctreeVertices& vertices, std
   }
 }
 
-/// The octree vertices of deep octants.
+/// Corners (x fastest) of the upper face of an octant, per axis, counter-clockwise seen from above.
+constexpr std::array<std::array<std::uint8_t, 4>, 3> kUpperFace{{{1, 3, 7, 5}, {2, 6, 7, 3}, {4, 5, 7, 6}}};
+
+/// Two template octants of one level that share a face, and the four tetrahedra there:
+///
+///       f3 ------ f2       l is the centre of the lower octant, u of the upper, f the corners of the face
+///       |    u    |        counter-clockwise seen from u: tetrahedra (l, u, f[i], f[i+1]). The lattice of
+///       |    l    |        vertices and centres has no other tetrahedra, and no ties.
+///       f0 ------ f1
+struct SharedFace {
+  std::uint32_t lower = 0, upper = 0;  ///< octants
+  std::uint8_t axis = 0;
+};
+
+template <class Number>
+void add_tets(const OctreeVertices& vertices, const SharedFace& face, const Number& number_of,
+              std::array<std::uint32_t, 4>* tets) {
+  std::array<std::uint32_t, 4> rim;
+  for (int i = 0; i < 4; ++i) rim[i] = number_of(vertices.corners[face.lower][kUpperFace[face.axis][i]]);
+  const std::uint32_t lower = number_of(vertices.centre(OctantId(face.lower)));
+  const std::uint32_t upper = number_of(vertices.centre(OctantId(face.upper)));
+  for (int i = 0; i < 4; ++i) tets[i] = {lower, upper, rim[i], rim[(i + 1) % 4]};
+}
+
+/// The faces between template octants whose lower role is this.
+std::vector<SharedFace> shared_faces(const Octree& tree, const BandAndInterior& split, OctantRole wanted) {
+  std::vector<SharedFace> faces;
+  for (std::uint32_t o = 0; o < tree.size(); ++o) {
+    if (split.role[o] < wanted) continue;
+    for (std::uint8_t axis = 0; axis < 3; ++axis) {
+      const std::optional<OctantId> upper = tree.across(OctantId(o), axis, true);
+      if (upper && std::min(split.role[o], split.role[upper->index()]) == wanted)
+        faces.push_back({o, upper->index(), axis});
+    }
+  }
+  return faces;
+}
+
+/// The octree vertices of deep tetrahedra.
 struct DeepVertices {
-  std::vector<std::uint32_t> shared;  ///< on near or band octants too; ascending
+  std::vector<std::uint32_t> shared;  ///< of near or band tetrahedra too; ascending
   std::vector<std::uint32_t> own;     ///< ascending
 };
 
-DeepVertices deep_vertices(const Octree& tree, const OctreeVertices& vertices, const BandAndInterior& split) {
-  std::vector<std::uint8_t> deep(vertices.size(), 0), other(vertices.size(), 0);
-  for (std::size_t i = 0; i < tree.size(); ++i) {
-    if (split.role[i] == OctantRole::kDeep) {
-      for (const std::uint32_t v : vertices.corners[i]) deep[v] = 1;
-    } else {
-      flag_lattice(tree, vertices, OctantId(i), other);
+DeepVertices deep_vertices(const Octree& tree, const OctreeVertices& vertices, const BandAndInterior& split,
+                           const std::vector<SharedFace>& faces) {
+  std::vector<std::uint8_t> deep(vertices.size(), 0), other(vertices.size(), 0), shares(tree.size(), 0);
+  for (const SharedFace& face : faces) {
+    for (const std::uint8_t corner : kUpperFace[face.axis]) deep[vertices.corners[face.lower][corner]] = 1;
+    for (const std::uint32_t o : {face.lower, face.upper}) {
+      deep[vertices.centre(OctantId(o))] = 1;
+      ++shares[o];
     }
+  }
+  for (std::size_t o = 0; o < tree.size(); ++o) {
+    if (split.role[o] != OctantRole::kDeep) flag_lattice(tree, vertices, OctantId(o), other);
+    if (shares[o] < 6) other[vertices.centre(OctantId(o))] = 1;
   }
   DeepVertices result;
   for (std::uint32_t v = 0; v < deep.size(); ++v) {
     if (deep[v] != 0) (other[v] != 0 ? result.shared : result.own).push_back(v);
-  }
-  return result;
-}
-
-const OctantTets& template_of(TemplateTable& table, const OctreeVertices& vertices,
-                              const OctantLattice& lattice) {
-  OctantPattern pattern;
-  for (std::size_t b = 0; b < kHangingPoint.size(); ++b)
-    if (lattice[kHangingPoint[b]] != kNoVertex) pattern.hanging |= 1u << b;
-  for (std::size_t p = 0; p < lattice.size(); ++p)
-    if (lattice[p] != kNoVertex) pattern.rank[p] = vertices.rank(lattice[p]);
-  return table.tets(pattern);
-}
-
-/// Whether an odd number of the octant's coordinates are odd at its own level. It decides the template of an
-/// octant where nothing hangs: the four corners that are odd at that level outweigh the others, equally.
-bool odd_octant(const Octant& o) { return (((o.corner[0] ^ o.corner[1] ^ o.corner[2]) & o.extent()) != 0); }
-
-/// The two templates of octants without hanging vertices, over their corners (x fastest).
-std::array<OctantTets, 2> plain_templates() {
-  TemplateTable table;
-  std::array<OctantTets, 2> result;
-  for (const std::uint32_t odd : {0u, 1u}) {
-    OctantPattern pattern;
-    for (std::uint32_t c = 0; c < 8; ++c)
-      pattern.rank[kCornerPoint[c]] = octree_vertex_rank(2 + odd + (c & 1u), 2 + (c >> 1 & 1u), 2 + (c >> 2));
-    for (std::array<std::uint8_t, 4> t : table.tets(pattern)) {
-      for (std::uint8_t& p : t)
-        p = static_cast<std::uint8_t>(std::find(kCornerPoint.begin(), kCornerPoint.end(), p) -
-                                      kCornerPoint.begin());
-      result[odd].push_back(t);
-    }
   }
   return result;
 }
@@ -104,6 +103,18 @@ void parallel_over(std::size_t n, const Body& body) {
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, kGrain), [&](const auto& range) {
     for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
   });
+}
+
+/// Whether the place lies in the four tetrahedra between two template octants: in the pyramid of one of them
+/// over a face to the other.
+bool is_between_templates(const Octree& tree, const BandAndInterior& split, const Vec3& place) {
+  const OctantId o = tree.find(place);
+  if (split.role[o.index()] == OctantRole::kBand) return false;
+  const Vec3 off = place - tree.box(o).centre();
+  Eigen::Index axis = 0;
+  off.cwiseAbs().maxCoeff(&axis);
+  const std::optional<OctantId> other = tree.across(o, static_cast<int>(axis), off[axis] > 0.0);
+  return other && split.role[other->index()] != OctantRole::kBand;
 }
 
 /// Without the room to grow that resize() leaves.
@@ -150,20 +161,16 @@ ExtraTets near_tets(const Octree& tree, const OctreeVertices& vertices, const Oc
     return number[v];
   };
   ExtraTets extra;
-  TemplateTable table;
-  for (std::size_t i = 0; i < tree.size(); ++i) {
-    if (split.role[i] != OctantRole::kNear) continue;
-    const OctantLattice lattice = octant_lattice(tree, vertices, OctantId(i));
-    for (const auto& t : template_of(table, vertices, lattice)) {
-      extra.tets.push_back({number_of(lattice[t[0]]), number_of(lattice[t[1]]), number_of(lattice[t[2]]),
-                            number_of(lattice[t[3]])});
-      extra.region.push_back(labels.region[i]);
-    }
+  for (const SharedFace& face : shared_faces(tree, split, OctantRole::kNear)) {
+    extra.tets.resize(extra.tets.size() + 4);
+    add_tets(vertices, face, number_of, &extra.tets[extra.tets.size() - 4]);
+    extra.region.insert(extra.region.end(), 4, labels.region[face.lower]);
   }
-  for (const std::uint32_t v : deep_vertices(tree, vertices, split).shared)
+  for (const std::uint32_t v :
+       deep_vertices(tree, vertices, split, shared_faces(tree, split, OctantRole::kDeep)).shared)
     extra.first.push_back(number_of(v));
   extra.covers = [&split, &tree](const Vec3& centroid) {
-    return split.role[tree.find(centroid).index()] != OctantRole::kBand;
+    return is_between_templates(tree, split, centroid);
   };
   return extra;
 }
@@ -171,23 +178,18 @@ ExtraTets near_tets(const Octree& tree, const OctreeVertices& vertices, const Oc
 std::vector<double> deep_volumes(const Octree& tree, const OctreeLabels& labels, const BandAndInterior& split,
                                  int regions) {
   std::vector<double> volume(static_cast<std::size_t>(regions) + 1, 0.0);
-  for (std::size_t i = 0; i < tree.size(); ++i) {
-    if (split.role[i] != OctantRole::kDeep) continue;
-    const double length = tree.length(tree[OctantId(i)].level);
-    volume[labels.region[i]] += length * length * length;
+  for (const SharedFace& face : shared_faces(tree, split, OctantRole::kDeep)) {
+    const double length = tree.length(tree[OctantId(face.lower)].level);
+    volume[labels.region[face.lower]] += length * length * length / 3.0;
   }
   return volume;
 }
 
 std::size_t append_deep(const Octree& tree, const OctreeVertices& vertices, const OctreeLabels& labels,
                         const BandAndInterior& split, Mesh& mesh) {
-  const auto templates = plain_templates();
-  std::vector<std::uint32_t> octants;
-  for (std::uint32_t i = 0; i < tree.size(); ++i)
-    if (split.role[i] == OctantRole::kDeep) octants.push_back(i);
-  const DeepVertices deep = deep_vertices(tree, vertices, split);
+  const std::vector<SharedFace> faces = shared_faces(tree, split, OctantRole::kDeep);
+  const DeepVertices deep = deep_vertices(tree, vertices, split, faces);
   const std::size_t first_point = mesh.points.size(), first_tet = mesh.tets.size();
-  const std::size_t each = templates[0].size();
 
   std::vector<std::uint32_t> number(vertices.size(), UINT32_MAX);
   for (std::uint32_t n = 0; n < deep.shared.size(); ++n) number[deep.shared[n]] = n;
@@ -199,17 +201,13 @@ std::size_t append_deep(const Octree& tree, const OctreeVertices& vertices, cons
     mesh.points[first_point + n] = tree.position(vertices.at[v]);
     mesh.point_on[first_point + n] = model_region(labels.vertex_region[v]);
   });
-  resize_exactly(mesh.tets, first_tet + each * octants.size());
-  resize_exactly(mesh.tet_in, first_tet + each * octants.size());
-  parallel_over(octants.size(), [&](std::size_t n) {
-    const std::uint32_t o = octants[n];
-    const auto& corners = vertices.corners[o];
-    std::size_t at = first_tet + each * n;
-    for (const auto& t : templates[odd_octant(tree[OctantId(o)]) ? 1 : 0]) {
-      mesh.tets[at] = {number[corners[t[0]]], number[corners[t[1]]], number[corners[t[2]]],
-                       number[corners[t[3]]]};
-      mesh.tet_in[at++] = labels.region[o];
-    }
+  resize_exactly(mesh.tets, first_tet + 4 * faces.size());
+  resize_exactly(mesh.tet_in, first_tet + 4 * faces.size());
+  parallel_over(faces.size(), [&](std::size_t n) {
+    const std::size_t at = first_tet + 4 * n;
+    add_tets(
+        vertices, faces[n], [&](std::uint32_t v) { return number[v]; }, &mesh.tets[at]);
+    std::fill_n(&mesh.tet_in[at], 4, labels.region[faces[n].lower]);
   });
   return mesh.tets.size() - first_tet;
 }

@@ -10,7 +10,7 @@
 namespace octet {
 
 /// Tetrahedra that an octant inside gives.
-inline constexpr double kTetsPerOctant = 5.0;
+inline constexpr double kTetsPerOctant = 12.0;
 
 /// The length that octants of the size asked for should have, so that its halves and doubles suit the sizes
 /// of attributes too: none of these is missed by more than a sixth of an octave where there is one, the size

@@ -203,16 +203,17 @@ class Run {
     return next;
   }
 
-  /// Five tetrahedra an inside octant, and about as many for the part of a boundary octant that lies inside.
+  /// A boundary octant gives about as many tetrahedra as one inside.
   void check_limit(const Attempt& attempt) const {
     const auto inside =
         static_cast<std::size_t>(std::count_if(attempt.labels.type.begin(), attempt.labels.type.end(),
                                                [](OctantType type) { return type != OctantType::kOut; }));
-    if (4 * inside > options_.max_elements)
+    const double elements = kTetsPerOctant * static_cast<double>(inside);
+    if (0.8 * elements > static_cast<double>(options_.max_elements))
       throw LimitError(fmt::format(
-          "size {:.6g} mm, with the part's small features, needs about {} elements, more than the limit "
+          "size {:.6g} mm, with the part's small features, needs about {:.2g} elements, more than the limit "
           "of {}; ask for a larger size, set --min-size, or raise --max-elements",
-          plan_.asked, 5 * inside, options_.max_elements));
+          plan_.asked, elements, options_.max_elements));
   }
 
   void extract() {
@@ -246,8 +247,8 @@ class Run {
     finalize_options.scope = options_.scope;
     finalize_options.fixed_vertices = fixed_vertices_;
     finalize_options.volume_beyond = deep_volumes(band_->tree, band_->labels, band_->split, model_.count(3));
-    finalize_options.size_at = [this](const Vec3& p) { return band_->tree.size_at(p); };
-    if (wish_) finalize_options.coarse_size_at = [this](const Vec3& p) { return wish_->size_at(p); };
+    finalize_options.size_at = [this](const Vec3& p) { return band_->tree.spacing_at(p); };
+    if (wish_) finalize_options.coarse_size_at = [this](const Vec3& p) { return wish_->spacing_at(p); };
     const FinalizeReport report = finalize(result_.mesh, model_, finalize_options, observer_);
     observer_.note(describe(report));
     dump("finalized");

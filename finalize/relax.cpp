@@ -16,7 +16,7 @@
 namespace octet {
 namespace {
 
-/// Tetrahedra of better shape than this (54.3 degrees) are left alone: those of the lattice have 54.7.
+/// Tetrahedra of better shape than this (54.3 degrees) are left alone: those of the lattice have 60.
 constexpr double kGoodEnough = 0.66;
 /// What a vertex's move of this share of an edge disturbs is smoothed again in the next sweep.
 constexpr double kDisturbs = 0.1;

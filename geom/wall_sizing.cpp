@@ -17,11 +17,12 @@ namespace {
 /// Least cosine between a sheet's normal and a ray that meets it face on: normals 135 degrees apart and more.
 constexpr double kFacing = 0.7071;
 
-/// Tetrahedra in the cube of their mean edge length, as the octree makes them (five in an octant).
-constexpr double kTetsPerCube = 8.0;
+/// Tetrahedra in the cube of their mean edge length, as the octree makes them (12 in an octant).
+constexpr double kTetsPerCube = 9.4;
 
-/// With n elements across at least n - 1 layers of octree vertices lie between the sheets. A layer keeps 0.6
-/// of an octant from both (octree/seeds), so that n - 1 + 1.2 octants must fit.
+/// How many octants of the length wished for fit across. Layers of octree vertices and of centres are half an
+/// octant apart, and those that count keep 0.45 of one from both sheets (octree/seeds), so there are more
+/// than 2 n - 2 of them. Edges pass over one layer at most, so no path across has fewer than n.
 double octants_across(double n) { return n + 0.2; }
 
 std::vector<std::vector<int>> faces_of_edges(const Model& model) {

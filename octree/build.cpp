@@ -69,7 +69,7 @@ class SplitRule {
 
   [[nodiscard]] bool may_split(int level) const {
     return level < placed_.level ||
-           (level < kLatticeLevels && (request_.field || !request_.region_size.empty()));
+           (level < kDeepestLevel && (request_.field || !request_.region_size.empty()));
   }
   [[nodiscard]] bool operator()(const Candidate& octant, int level) const {
     if (level < placed_.level) return true;
@@ -114,13 +114,13 @@ void split_for_samples(SplitKeys& splits, const Root& root, std::span<const Size
   for (const SizeSample& sample : samples) {
     if (!(sample.size > 0.0)) throw InputError("a size sample must be a positive number");
     int level = 0;
-    while (level <= kLatticeLevels && root.length(level) > sample.size * kSizeSlack) ++level;
-    if (level > kLatticeLevels) {
+    while (level <= kDeepestLevel && root.length(level) > sample.size * kSizeSlack) ++level;
+    if (level > kDeepestLevel) {
       throw LimitError(fmt::format(
           "a local size of {:g} at ({:g}, {:g}, {:g}) is too small: the finest octants have length {:g}, set "
           "a larger "
           "minimum size",
-          sample.size, sample.place.x(), sample.place.y(), sample.place.z(), root.length(kLatticeLevels)));
+          sample.size, sample.place.x(), sample.place.y(), sample.place.z(), root.length(kDeepestLevel)));
     }
     if (level == 0) continue;
     const MortonKey cell = morton_key(root.cell_of(sample.place));
@@ -144,7 +144,7 @@ Octree refine(const Octree& tree, std::span<const OctantId> octants) {
   SplitKeys splits = split_keys(tree.octants());
   for (const OctantId id : octants) {
     const Octant& o = tree[id];
-    if (o.level == kLatticeLevels) continue;
+    if (o.level == kDeepestLevel) continue;
     splits.at[o.level].push_back(morton_key(o.corner) >> (3 * (kLatticeLevels - o.level)));
   }
   return Octree(tree.origin(), tree.root_size(), terminal_octants(balanced(std::move(splits))));

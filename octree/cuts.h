@@ -12,13 +12,12 @@ namespace octet {
 /// A cut of one octant edge: each geometric edge of the tree's finest terminal octants is cut once, however
 /// many octants share it.
 struct OctantEdgeCut {
-  std::uint32_t from = 0, to = 0;  ///< octree vertex numbers, from < to along the axis
+  std::uint32_t from = 0, to = 0;  ///< octree vertex numbers, from < to
   Hit hit;
 };
 
-/// All cuts of the edges of boundary octants, sorted by (from, to, t) [Handbook 15.5.2.2]. Long edges that a
-/// hanging vertex splits are cut by their halves only. Edges are cut in parallel, and told in their own
-/// order.
+/// All cuts of boundary_octant_edges() in their order, by t on each [Handbook 15.5.2.2]. Long edges that a
+/// hanging vertex splits are cut by their halves only. Edges are cut in parallel.
 [[nodiscard]] std::vector<OctantEdgeCut> cut_octant_edges(const Model& model, const Octree& tree,
                                                           const OctreeVertices& vertices,
                                                           const OctantTypes& types);

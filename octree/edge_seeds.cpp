@@ -22,7 +22,7 @@ class SizedLength {
     double finest = edge.length;
     for (int i = 0; i <= 32; ++i) {
       const double t = edge.t0 + (edge.t1 - edge.t0) * i / 32;
-      finest = std::min(finest, state.tree.size_at(state.model.edge_point(tag, t)));
+      finest = std::min(finest, state.tree.spacing_at(state.model.edge_point(tag, t)));
     }
     const int n = std::clamp(static_cast<int>(std::ceil(4.0 * edge.length / finest)), 16, 20000);
     Vec3 last = state.model.edge_point(tag, edge.t0);
@@ -31,7 +31,7 @@ class SizedLength {
     for (int i = 1; i <= n; ++i) {
       const double t = edge.t0 + (edge.t1 - edge.t0) * i / n;
       const Vec3 p = state.model.edge_point(tag, t);
-      s_.push_back(s_.back() + (p - last).norm() / state.tree.size_at(0.5 * (p + last)));
+      s_.push_back(s_.back() + (p - last).norm() / state.tree.spacing_at(0.5 * (p + last)));
       t_.push_back(t);
       last = p;
     }
@@ -71,13 +71,13 @@ class EdgeSeeder {
     double t;
   };
 
-  [[nodiscard]] double size_at(const Vec3& p) const { return state_.tree.size_at(p); }
+  [[nodiscard]] double spacing_at(const Vec3& p) const { return state_.tree.spacing_at(p); }
 
   /// Puts a stop on the edge unless one is near; its own partners are sought later.
   void add_stop(int tag, double t, double spacing) {
     const ModelEdge& edge = model_.edge(tag);
     const Vec3 p = model_.edge_point(tag, t);
-    const double clear = spacing * size_at(p);
+    const double clear = spacing * spacing_at(p);
     const auto near = [&](double other) { return (model_.edge_point(tag, other) - p).norm() < clear; };
     if (near(edge.t0) || near(edge.t1)) return;
     std::vector<double>& stops = stops_[tag];
@@ -92,7 +92,7 @@ class EdgeSeeder {
   void match_vertices() {
     for (int v = 1; v <= model_.count(0); ++v) {
       const Vec3 p = model_.vertex(v).point;
-      for (const EdgePartner& foot : state_.edge_index.feet(p, kMatchDistance * size_at(p))) {
+      for (const EdgePartner& foot : state_.edge_index.feet(p, kMatchDistance * spacing_at(p))) {
         const auto& ends = model_.edge(foot.edge).vertex;
         if (ends[0] != v && ends[1] != v) add_stop(foot.edge, foot.t, kEdgeSpacing);
       }
@@ -104,7 +104,7 @@ class EdgeSeeder {
     while (!pending_.empty()) {
       const Stop stop = pending_.front();
       pending_.pop_front();
-      const double reach = kMatchDistance * size_at(model_.edge_point(stop.edge, stop.t));
+      const double reach = kMatchDistance * spacing_at(model_.edge_point(stop.edge, stop.t));
       for (const EdgePartner& b : state_.edge_index.partners(stop.edge, stop.t, reach))
         add_stop(b.edge, b.t, kEdgeSpacing);
     }
@@ -156,13 +156,13 @@ class EdgeSeeder {
       const auto number = static_cast<std::uint32_t>(seeds.pieces.size());
       seeds.pieces.push_back({last, to, t_last, t, tag});
       const Vec3 middle = 0.5 * (a + b);
-      state_.piece_grid.add(number, middle, std::max((b - a).norm(), size_at(middle)));
+      state_.piece_grid.add(number, middle, std::max((b - a).norm(), spacing_at(middle)));
       last = to;
       t_last = t;
     };
     for (const double t : stops_[tag]) {
       const Vec3 p = model_.edge_point(tag, t);
-      piece(state_.add(p, model_edge(tag), size_at(p)), t);
+      piece(state_.add(p, model_edge(tag), spacing_at(p)), t);
     }
     piece(seeds.model_vertex[edge.vertex[1]], edge.t1);
   }

@@ -32,7 +32,7 @@ class FaceSeeder {
 
   void offer(const Hit& hit) {
     if (hit.on.dim != 2 || hit.kind != HitKind::kTransversal) return;
-    const FacePoint a{hit.point, hit.on.tag, state_.tree.size_at(hit.point)};
+    const FacePoint a{hit.point, hit.on.tag, state_.tree.spacing_at(hit.point)};
     if (!is_free(a)) return;
     std::vector<FacePoint> partners;
     for (const int side : {-1, 1}) {
@@ -50,7 +50,7 @@ class FaceSeeder {
   void match(std::uint32_t point, const Vec3& tangent) {
     const ModelRef on = state_.seeds.points.on[point];
     const Vec3 a = state_.seeds.points.position[point];
-    const double size = state_.tree.size_at(a);
+    const double size = state_.tree.spacing_at(a);
     for (const FacePartner& partner : face_partners(model_, on, a, tangent, kMatchDistance * size)) {
       const FacePoint b{partner.point, partner.face, size};
       if (is_free(b)) add(b);

@@ -49,18 +49,18 @@ std::vector<OctantId> template_octants(const Model& model, const Octree& tree, c
   const std::vector<std::uint8_t> boundary = near_the_boundary(tree, vertices, labels);
   const std::vector<std::uint8_t> occupied = near_a_free_point(tree, vertices, points);
   const auto suits = [&](OctantId octant, const OctantLattice& lattice) {
-    bool touches_boundary = false, hangs = false;
-    for (int place = 0; place < 27; ++place) {
-      const std::uint32_t v = lattice[place];
+    bool touches_boundary = false;
+    int count = 0;
+    for (const std::uint32_t v : lattice) {
       if (v == kNoVertex) continue;
       if (kept[v] == 0 || occupied[v] != 0) return false;
       touches_boundary = touches_boundary || boundary[v] != 0;
-      hangs = hangs || place % 3 == 1 || place / 3 % 3 == 1 || place / 9 == 1;
+      ++count;
     }
-    // Neighbours are no smaller than half this octant, and no circumsphere reaches farther than half.
-    if (!touches_boundary) return true;
-    const double overhang = hangs ? kTransitionOverhang : kPlainOverhang;
-    return !model.near_boundary(tree.box(octant).grown(overhang * tree.length(tree[octant].level)));
+    if (count > kPlainVertices) return false;
+    // Neighbours are no smaller than this octant where nothing hangs, so spheres end within them.
+    return !touches_boundary ||
+           !model.near_boundary(tree.box(octant).grown(kOverhang * tree.length(tree[octant].level)));
   };
   std::vector<std::uint8_t> suitable(tree.size(), 0);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tree.size()), [&](const auto& range) {
@@ -83,13 +83,16 @@ std::vector<std::uint8_t> band_vertices(const Octree& tree, const OctreeVertices
                                         std::span<const std::uint8_t> kept, double length) {
   const Lattice::value_type spacing = pillar_spacing(tree, length);
   std::vector<std::uint8_t> band(vertices.size(), 0);
-  auto next = templates.begin();
-  for (std::size_t i = 0; i < tree.size(); ++i) {
-    if (next != templates.end() && *next == OctantId(i)) {
-      ++next;
-    } else {
-      flag_vertices(tree, vertices, OctantId(i), band);
-    }
+  std::vector<std::uint8_t> is_template(tree.size(), 0);
+  for (const OctantId o : templates) is_template[o.index()] = 1;
+  for (std::size_t i = 0; i < tree.size(); ++i)
+    if (is_template[i] == 0) flag_vertices(tree, vertices, OctantId(i), band);
+  // A template octant across a face from one that is none has tetrahedra there.
+  for (const OctantId o : templates) {
+    const auto& corners = vertices.corners[o.index()];
+    if (std::none_of(corners.begin(), corners.end(), [&](std::uint32_t v) { return band[v] != 0; })) continue;
+    if (!tree.all_across(o, [&](OctantId other) { return is_template[other.index()] != 0; }))
+      band[vertices.centre(o)] = 1;
   }
   for (std::size_t v = 0; v < band.size(); ++v)
     band[v] = kept[v] != 0 && (band[v] != 0 || is_pillar(vertices.at[v], spacing)) ? 1 : 0;

@@ -13,9 +13,10 @@
 
 namespace octet {
 
-/// The interior octants all of whose vertices, hanging ones included, are kept, and whose tetrahedra have
-/// circumspheres that hold neither a point of the boundary nor a free point. So no point of the boundary that
-/// is added later can break them either. In array order: 4 bytes each, their lattices are cheap to ask for.
+/// The interior octants without hanging vertices whose vertices are all kept, such that between two of them
+/// that share a face the triangulation has four tetrahedra for certain: those of the line between the centres
+/// and the face's four edges. Their circumspheres hold neither a point of the boundary nor a free point, so
+/// no point of the boundary that is added later can break them either. In array order.
 ///
 /// `kept` tells for each octree vertex whether it is a point. `points` are all points; those that are octree
 /// vertices (by `order`) or lie on the boundary (`on.dim` < 3) need no look.
@@ -37,17 +38,15 @@ namespace octet {
   return ((at[0] | at[1] | at[2]) & (spacing - 1)) == 0;
 }
 
-/// Per octree vertex: whether it is kept and lies on an octant that is no template octant, or is a pillar.
-/// These and the free points are all that the triangulation needs: each Delaunay tetrahedron of all points
-/// lies within one template octant, or outside all of them and then has only such vertices.
+/// Per octree vertex: whether it is kept and is a vertex of a tetrahedron that is not between two template
+/// octants, or a pillar. These and the free points are all that the triangulation needs.
 [[nodiscard]] std::vector<std::uint8_t> band_vertices(const Octree& tree, const OctreeVertices& vertices,
                                                       std::span<const OctantId> templates,
                                                       std::span<const std::uint8_t> kept, double length);
 
-/// Largest overhang of an octant's circumspheres over its faces, in lengths of the octant: (sqrt 3 - 1) / 2
-/// where nothing hangs; with hanging vertices, over all sets that balance allows, 1/2 (enumerated by the
-/// test).
-inline constexpr double kPlainOverhang = 0.3661;
-inline constexpr double kTransitionOverhang = 0.5001;
+/// How far the circumspheres of the tetrahedra between two octants that share a face reach sideways beyond
+/// these, in lengths of an octant: (sqrt 5 - 1) / 4. They do not reach beyond the two along the line between
+/// the centres.
+inline constexpr double kOverhang = 0.3091;
 
 }  // namespace octet

@@ -15,13 +15,20 @@ using Lattice = std::array<std::uint32_t, 3>;
 /// Lattice points along an edge of the root.
 inline constexpr std::uint32_t kLatticeExtent = std::uint32_t{1} << kLatticeLevels;
 
-/// A terminal octant: its lower corner on the lattice and its level (root = 0).
+/// The finest octants: their centres are lattice points too.
+inline constexpr int kDeepestLevel = kLatticeLevels - 1;
+
+/// A terminal octant: its lower corner on the lattice and its level (root = 0, at most kDeepestLevel).
 struct Octant {
   Lattice corner{};
   std::int8_t level = 0;
 
   /// Edge length on the lattice.
   [[nodiscard]] std::uint32_t extent() const { return std::uint32_t{1} << (kLatticeLevels - level); }
+  [[nodiscard]] Lattice centre() const {
+    const std::uint32_t half = extent() / 2;
+    return {corner[0] + half, corner[1] + half, corner[2] + half};
+  }
   bool operator==(const Octant&) const = default;
 };
 

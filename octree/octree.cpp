@@ -18,7 +18,7 @@ std::string named(const Octant& o) {
 std::string check_cover(const Octree& tree) {
   MortonKey expected = 0;
   for (const Octant& o : tree.octants()) {
-    if (o.level < 0 || o.level > kLatticeLevels) return "no such level: " + named(o);
+    if (o.level < 0 || o.level > kDeepestLevel) return "no such level: " + named(o);
     for (const std::uint32_t x : o.corner) {
       if (x % o.extent() != 0 || x >= kLatticeExtent) return "corner off its own lattice: " + named(o);
     }
@@ -81,6 +81,16 @@ OctantId Octree::find_key(MortonKey key) const {
 std::string check_octree(const Octree& tree) {
   const std::string cover = check_cover(tree);
   return cover.empty() ? check_one_level_difference(tree) : cover;
+}
+
+std::optional<OctantId> Octree::across(OctantId o, int axis, bool upper) const {
+  const Octant& octant = (*this)[o];
+  Lattice p = octant.corner;
+  if (upper ? p[axis] + octant.extent() == kLatticeExtent : p[axis] == 0) return std::nullopt;
+  p[axis] = upper ? p[axis] + octant.extent() : p[axis] - octant.extent();
+  const OctantId other = find(p);
+  if ((*this)[other].level != octant.level) return std::nullopt;
+  return other;
 }
 
 }  // namespace octet

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -16,6 +17,16 @@
 #include "octree/root.h"
 
 namespace octet {
+
+/// Mean edge length of the finished mesh over the length of the octants it was made from, where these are
+/// uniform: in the lattice of their vertices and centres 0.923 (three edges, three lines between centres and
+/// eight from a centre to a vertex an octant); 0.92 to 0.94 in thick parts, 0.96 in plates. A mesh of size h
+/// needs octants of length h / kEdgePerOctant.
+inline constexpr double kEdgePerOctant = 0.925;
+
+/// Spacing of points on the boundary over the length of octants: what makes triangles there as large as the
+/// tetrahedra inside.
+inline constexpr double kSpacingPerOctant = 0.75;
 
 /// Invariants: octants are sorted in Morton order of their corners, cover the root without overlap, and
 /// octants that share a face, an edge or a corner differ by at most one level (`check_octree`). Consequences:
@@ -40,8 +51,21 @@ class Octree {
   [[nodiscard]] OctantId find(const Vec3& p) const { return find(root_.cell_of(p)); }
   /// The octant that holds the lattice point (its cell [p, p+1)). Requires p below 2^kLatticeLevels.
   [[nodiscard]] OctantId find(const Lattice& p) const { return find_key(morton_key(p)); }
+  /// The octant across that face (axis 0..2, upper or lower) if it is of the same level.
+  [[nodiscard]] std::optional<OctantId> across(OctantId o, int axis, bool upper) const;
+  /// Whether there are octants of the same level across all six faces, and all of them are such.
+  template <class Test>
+  [[nodiscard]] bool all_across(OctantId o, const Test& test) const {
+    for (int face = 0; face < 6; ++face) {
+      const std::optional<OctantId> other = across(o, face / 2, face % 2 != 0);
+      if (!other || !test(*other)) return false;
+    }
+    return true;
+  }
   /// Length of the octant that holds p.
-  [[nodiscard]] double size_at(const Vec3& p) const { return length((*this)[find(p)].level); }
+  [[nodiscard]] double length_at(const Vec3& p) const { return length((*this)[find(p)].level); }
+  /// Spacing of points on the boundary where p is, and the unit of their distances.
+  [[nodiscard]] double spacing_at(const Vec3& p) const { return kSpacingPerOctant * length_at(p); }
 
  private:
   [[nodiscard]] OctantId find_key(MortonKey key) const;
@@ -52,12 +76,6 @@ class Octree {
   std::vector<std::uint32_t> bucket_octant_;  // per key prefix: the octant that holds its first cell
   int bucket_shift_ = 0;
 };
-
-/// Mean edge length of the finished mesh over the length of the octants it was made from, where these are
-/// uniform: in octants of five tetrahedra 1.207 (three edges and three face diagonals an octant), in
-/// transitions and inside after smoothing 1.21, on model faces 1.10, on model edges 1.0; 1.17 over parts with
-/// thousands to hundreds of thousands of elements. A mesh of size h needs octants of length h / 1.17.
-inline constexpr double kEdgePerOctant = 1.19;
 
 struct OctreeRequest {
   double size = 0.0;  ///< octant length: a level of the tree, up to place_root()'s rounding
@@ -72,7 +90,7 @@ struct OctreeRequest {
 /// sample's size; every octant inside or on the boundary at most what region and field want in it; then the
 /// one-level difference over 26 neighbours, or slower growth (octree/gradation). Outside, octants are as
 /// large as that allows. LimitError past max_octants (within a second where the volume alone exceeds it) or
-/// past kLatticeLevels levels; InputError for a size that is no positive number.
+/// past kDeepestLevel levels; InputError for a size that is no positive number.
 [[nodiscard]] Octree build_octree(const Model& model, const OctreeRequest& request,
                                   std::span<const SizeSample> samples);
 

@@ -22,13 +22,13 @@ constexpr std::array<double, 3> kShift{0.7320508075688773, 0.6457513110645906, 0
 int level_of_size(const Box3& box, double size) {
   const double cells = box.size().maxCoeff() / size + kSlack;
   int level = 0;
-  while (level <= kLatticeLevels && std::ldexp(1.0, level) < cells) ++level;
-  if (level > kLatticeLevels) {
+  while (level <= kDeepestLevel && std::ldexp(1.0, level) < cells) ++level;
+  if (level > kDeepestLevel) {
     throw LimitError(
         fmt::format("a size of {:g} is too small for a part of extent {:g}: the octree has {} levels, ask "
                     "for at least {:g}",
-                    size, box.size().maxCoeff(), kLatticeLevels,
-                    box.size().maxCoeff() / (std::ldexp(1.0, kLatticeLevels) - kSlack)));
+                    size, box.size().maxCoeff(), kDeepestLevel,
+                    box.size().maxCoeff() / (std::ldexp(1.0, kDeepestLevel) - kSlack)));
   }
   return level;
 }

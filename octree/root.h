@@ -37,7 +37,7 @@ struct PlacedRoot {
 /// Ensures that every lattice point, and every octant's centre, is exact in doubles: eight corners of an
 /// octant lie exactly on one sphere, so that ties are broken by rank and not by rounding. For that the size
 /// is rounded down, by less than 1e-8 of itself for parts no farther from the origin than 16 root edges.
-/// LimitError when the size needs more than kLatticeLevels levels; InputError when it is not a positive
+/// LimitError when the size needs more than kDeepestLevel levels; InputError when it is not a positive
 /// number.
 [[nodiscard]] PlacedRoot place_root(const Box3& box, double size);
 

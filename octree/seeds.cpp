@@ -27,7 +27,7 @@ void seed_model_vertices(SeedState& state) {
   state.seeds.model_vertex.assign(static_cast<std::size_t>(state.model.count(0)) + 1, 0);
   for (int v = 1; v <= state.model.count(0); ++v) {
     const Vec3 p = state.model.vertex(v).point;
-    state.seeds.model_vertex[v] = state.add(p, model_vertex(v), state.tree.size_at(p));
+    state.seeds.model_vertex[v] = state.add(p, model_vertex(v), state.tree.spacing_at(p));
   }
 }
 
@@ -65,6 +65,14 @@ Surroundings surroundings(const Octree& tree, const OctreeVertices& vertices, co
       ring[v] = std::min<std::uint8_t>(ring[v], 1);
       open[v] |= outside ? 1 : 0;
     });
+  }
+  // Centres of boundary octants lie on no other octant: they are as open as the corners.
+  for (std::size_t o = 0; o < tree.size(); ++o) {
+    const auto& corners = vertices.corners[o];
+    if (labels.type[o] == OctantType::kBoundary &&
+        std::any_of(corners.begin(), corners.end(),
+                    [&, &open = open](std::uint32_t v) { return open[v] != 0; }))
+      open[vertices.centre(OctantId(o))] = 1;
   }
   return result;
 }
@@ -129,14 +137,16 @@ void seed_octree_vertices(SeedState& state, const OctreeVertices& vertices, cons
   Seeds& seeds = state.seeds;
   const auto [ring, open] = surroundings(state.tree, vertices, labels);
   const Vagueness vagueness(state.model);
+  const auto spacing_at = [&](std::uint32_t v) {
+    return kSpacingPerOctant * state.tree.length(vertices.finest_level[v]);
+  };
   const auto is_vague = [&](std::uint32_t v) {
-    return vagueness.covers(state.tree.position(vertices.at[v]),
-                            kOctreeSpacing * state.tree.length(vertices.finest_level[v]));
+    return vagueness.covers(state.tree.position(vertices.at[v]), kOctreeSpacing * spacing_at(v));
   };
   // Octree vertices are on a lattice of their own spacing: only points placed before them can be too close.
   const auto is_clear = [&, &ring = ring](std::uint32_t v) {
     const Vec3 p = state.tree.position(vertices.at[v]);
-    const double clear = kOctreeSpacing * state.tree.length(vertices.finest_level[v]);
+    const double clear = kOctreeSpacing * spacing_at(v);
     return !state.points_grid.any_within(p, clear, [](std::uint32_t, double) { return true; }) &&
            !(ring[v] == 0 && state.model.closest(p, clear)) && !is_vague(v);
   };
@@ -152,10 +162,9 @@ void seed_octree_vertices(SeedState& state, const OctreeVertices& vertices, cons
   seeds.octree_point.assign(vertices.size(), UINT32_MAX);
   for (std::uint32_t v = 0; v < vertices.size(); ++v) {
     if (kept[v] == 0) continue;
-    const double length = state.tree.length(vertices.finest_level[v]);
     seeds.octree_point[v] = static_cast<std::uint32_t>(seeds.points.add(state.tree.position(vertices.at[v]),
                                                                         model_region(labels.vertex_region[v]),
-                                                                        vertices.rank(v), length));
+                                                                        vertices.rank(v), spacing_at(v)));
   }
 }
 

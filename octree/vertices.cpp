@@ -75,8 +75,9 @@ constexpr std::array<std::uint8_t, 27> corner_masks() {
 }  // namespace
 
 std::uint32_t OctreeVertices::find(const Lattice& p) const {
-  const auto it = std::lower_bound(at.begin(), at.end(), p, morton_less);
-  return it != at.end() && *it == p ? static_cast<std::uint32_t>(it - at.begin()) : kNoVertex;
+  const auto end = at.begin() + static_cast<std::ptrdiff_t>(corner_count());
+  const auto it = std::lower_bound(at.begin(), end, p, morton_less);
+  return it != end && *it == p ? static_cast<std::uint32_t>(it - at.begin()) : kNoVertex;
 }
 
 OctreeVertices octree_vertices(const Octree& tree) {
@@ -84,7 +85,7 @@ OctreeVertices octree_vertices(const Octree& tree) {
   const std::vector<MortonKey> others = ownerless(tree, owner);
   // Merge two sorted lists, keeping for each item its place in the result.
   OctreeVertices vertices;
-  vertices.at.reserve(tree.size() + others.size());
+  vertices.at.reserve(2 * tree.size() + others.size());
   std::vector<std::uint32_t> octant_to_vertex(tree.size()), other_to_vertex(others.size());
   std::size_t next = 0;
   const auto take_others_below = [&](MortonKey end) {
@@ -115,6 +116,10 @@ OctreeVertices octree_vertices(const Octree& tree) {
       vertices.finest_level[v] = std::max(vertices.finest_level[v], o.level);
     }
   }
+  for (const Octant& o : tree.octants()) {
+    vertices.at.push_back(o.centre());
+    vertices.finest_level.push_back(o.level);
+  }
   vertices.corners = std::move(owner);
   return vertices;
 }
@@ -128,7 +133,7 @@ std::uint32_t find_near(const Octree& tree, const OctreeVertices& vertices, cons
   const std::size_t o = tree.find(p).index();
   const auto first = vertices.at.begin() + vertices.corners[o][0];
   const auto last =
-      o + 1 < tree.size() ? vertices.at.begin() + vertices.corners[o + 1][0] : vertices.at.end();
+      vertices.at.begin() + (o + 1 < tree.size() ? vertices.corners[o + 1][0] : vertices.centre(OctantId(0)));
   const auto it = std::lower_bound(first, last, p, morton_less);
   return it != last && *it == p ? static_cast<std::uint32_t>(it - vertices.at.begin()) : kNoVertex;
 }
@@ -141,6 +146,7 @@ OctantLattice octant_lattice(const Octree& tree, const OctreeVertices& vertices,
   const auto& corners = vertices.corners[octant.index()];
   OctantLattice lattice;
   lattice.fill(kNoVertex);
+  lattice[13] = vertices.centre(octant);
   // A finer neighbour across an edge or a face has children at all of its corners.
   std::uint8_t finer = 0;
   for (int c = 0; c < 8; ++c) {
@@ -150,7 +156,7 @@ OctantLattice octant_lattice(const Octree& tree, const OctreeVertices& vertices,
   if ((finer & (finer - 1)) == 0) return lattice;
   const std::uint32_t half = o.extent() / 2;
   for (int place = 0; place < 27; ++place) {
-    if (lattice[place] != kNoVertex || place == 13 || (kCornerMasks[place] & ~finer) != 0) continue;
+    if (lattice[place] != kNoVertex || (kCornerMasks[place] & ~finer) != 0) continue;
     const std::array<int, 3> at = steps_of(place);
     lattice[place] = find_near(
         tree, vertices, {o.corner[0] + at[0] * half, o.corner[1] + at[1] * half, o.corner[2] + at[2] * half});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The vertices of an octree: each lattice point that is a corner of a terminal octant, once.
+// The points of an octree: each lattice point that is a corner of a terminal octant, once, and the centres.
 #pragma once
 
 #include <array>
@@ -14,15 +14,20 @@ namespace octet {
 /// No vertex there.
 inline constexpr std::uint32_t kNoVertex = std::numeric_limits<std::uint32_t>::max();
 
-/// Sorted by (Morton key of the lattice point); `finest_level` is that of the finest terminal octant that has
-/// the vertex as a corner.
+/// Corners first, sorted by the Morton key of the lattice point; then the centre of each octant, in their
+/// order. `finest_level` is that of the finest terminal octant that has the vertex as a corner or centre.
 struct OctreeVertices {
   std::vector<Lattice> at;
   std::vector<std::int8_t> finest_level;
   std::vector<std::array<std::uint32_t, 8>> corners;  ///< per octant: its corners' vertex numbers, x fastest
 
   [[nodiscard]] std::size_t size() const { return at.size(); }
-  /// Number of the vertex at `p`, or UINT32_MAX. O(log n).
+  /// Vertices below this number are corners.
+  [[nodiscard]] std::size_t corner_count() const { return at.size() - corners.size(); }
+  [[nodiscard]] std::uint32_t centre(OctantId o) const {
+    return static_cast<std::uint32_t>(corner_count() + o.index());
+  }
+  /// Number of the corner at `p`, or UINT32_MAX. O(log n).
   [[nodiscard]] std::uint32_t find(const Lattice& p) const;
   [[nodiscard]] std::uint64_t rank(std::uint32_t v) const {
     return octree_vertex_rank(at[v][0], at[v][1], at[v][2]);
@@ -32,9 +37,11 @@ struct OctreeVertices {
 /// Cost: O(n) where the tree is uniform; only hanging vertices and those on the root's far faces are sorted.
 [[nodiscard]] OctreeVertices octree_vertices(const Octree& tree);
 
-/// The vertices on the 3x3x3 lattice of an octant, x fastest: its corners, and the hanging vertices on its
-/// edges and faces; kNoVertex elsewhere (always in the centre). Constant time where nothing hangs.
+/// The vertices on the 3x3x3 lattice of an octant, x fastest: its corners, its centre, and the hanging
+/// vertices on its edges and faces; kNoVertex elsewhere. Constant time where nothing hangs.
 using OctantLattice = std::array<std::uint32_t, 27>;
+/// Corners and centre: what the lattice of an octant without hanging vertices holds.
+inline constexpr int kPlainVertices = 9;
 [[nodiscard]] OctantLattice octant_lattice(const Octree& tree, const OctreeVertices& vertices,
                                            OctantId octant);
 

@@ -20,8 +20,8 @@ TEST_P(Families, AreComplete) {
   const auto& [part, turn] = GetParam();
   const Model model = model_from_shape(test::turned(part.build(), turn));
   MeshOptions options;
-  // Octants of the family's size, and none smaller for thin walls' sake: that would be the easy way.
-  options.size = part.size * kEdgePerOctant;
+  // Points at the family's size, and no nearer for thin walls' sake: that would be the easy way.
+  options.size = part.size * kEdgePerOctant / kSpacingPerOctant;
   options.wall_elements = 0.0;
   options.threads = 1;
   const MeshResult result = mesh_part(model, options);
@@ -51,7 +51,7 @@ TEST(Bugs, PartsThatOnceFailedAreComplete) {
   for (const auto& file : std::filesystem::directory_iterator(OCTET_MODELS "/bugs")) {
     const Model model = read_part(file.path());
     MeshOptions options;
-    options.size = kEdgePerOctant;
+    options.size = kEdgePerOctant / kSpacingPerOctant;
     options.wall_elements = 0.0;
     const MeshResult result = mesh_part(model, options);
     EXPECT_EQ(result.report.status, MeshStatus::kComplete) << file.path();

@@ -23,8 +23,8 @@ TEST(Subdivision, OctantsAroundAFaultAreHalvedAndNoneBelowTheFinest) {
   const Fault fault{model_face(1), Vec3(1.3, -0.4, 0.2), "", ""};
   const auto once = subdivide_at(tree, {fault}, 0.3);
   ASSERT_TRUE(once);
-  EXPECT_DOUBLE_EQ(once->size_at(fault.place), 0.5 * tree.size_at(fault.place));
-  EXPECT_EQ(once->size_at(fault.place - Vec3(2.5, 0, 0)), tree.size_at(fault.place - Vec3(2.5, 0, 0)));
+  EXPECT_DOUBLE_EQ(once->length_at(fault.place), 0.5 * tree.length_at(fault.place));
+  EXPECT_EQ(once->length_at(fault.place - Vec3(2.5, 0, 0)), tree.length_at(fault.place - Vec3(2.5, 0, 0)));
   EXPECT_EQ(check_octree(*once), "");
   EXPECT_FALSE(subdivide_at(*subdivide_at(*once, {fault}, 0.3), {fault}, 0.3));
   EXPECT_FALSE(subdivide_at(tree, {}, 0.3));
@@ -46,8 +46,8 @@ TEST(Subdivision, AFaceBetweenTheOctantsIsAGapAndGetsOctantsOfHalfItsExtent) {
   EXPECT_NEAR((gap.place - Vec3(0.37, 0, 0)).norm(), 0.05, 1e-9);
   const auto finer = subdivide_at_gaps(attempt, model, 1e-3);
   ASSERT_TRUE(finer);
-  EXPECT_LE(finer->size_at(gap.place), 0.05);
-  EXPECT_GT(finer->size_at(gap.place), 0.02);
+  EXPECT_LE(finer->length_at(gap.place), 0.05);
+  EXPECT_GT(finer->length_at(gap.place), 0.02);
 }
 
 }  // namespace

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "base/vertex_order.h"
-#include "delaunay/templates.h"
 #include "tests/delaunay/point_sets.h"
 
 namespace octet::testing {
@@ -39,7 +38,7 @@ class BalancedOctree {
     }
     balance();
     for (const TestOctant& o : leaves_) {
-      for (const std::uint8_t c : kCornerPoint) {
+      for (const int c : {0, 2, 6, 8, 18, 20, 24, 26}) {
         int& finest_at = finest_at_.try_emplace(local(o, c), 0).first->second;
         finest_at = std::max(finest_at, o.level);
       }
@@ -54,26 +53,6 @@ class BalancedOctree {
 
   [[nodiscard]] const std::set<TestOctant>& leaves() const { return leaves_; }
   [[nodiscard]] const RankedPoints& vertices() const { return vertices_; }
-
-  /// Vertex numbers of the octant's 27 lattice points, -1 where there is none.
-  [[nodiscard]] std::array<std::int64_t, 27> points_of(const TestOctant& o) const {
-    std::array<std::int64_t, 27> points{};
-    for (int n = 0; n < 27; ++n) {
-      const auto found = number_.find(local(o, n));
-      points[n] = found == number_.end() ? std::int64_t{-1} : std::int64_t{found->second};
-    }
-    return points;
-  }
-
-  [[nodiscard]] OctantPattern pattern_of(const TestOctant& o) const {
-    OctantPattern pattern;
-    const auto points = points_of(o);
-    for (int n = 0; n < 27; ++n) {
-      if (points[n] >= 0) pattern.rank[n] = vertices_.ranks[points[n]];
-    }
-    for (int b = 0; b < 18; ++b) pattern.hanging |= (points[kHangingPoint[b]] >= 0 ? 1u : 0u) << b;
-    return pattern;
-  }
 
   /// The terminal octant whose half-open box holds the lattice point.
   [[nodiscard]] TestOctant find(const At& at) const {

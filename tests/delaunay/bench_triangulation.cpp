@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How fast: triangulation of random, lattice, octree and matched points; template look-ups; predicates.
+// How fast: triangulation of random, lattice, octree and matched points; predicates.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
 
 #include "base/predicates.h"
-#include "delaunay/templates.h"
 #include "tests/delaunay/balanced_octree.h"
 #include "tests/delaunay/point_sets.h"
 
@@ -57,19 +56,6 @@ void triangulate_matched_sheets(benchmark::State& state) {
   count_tets(state, set);
 }
 BENCHMARK(triangulate_matched_sheets)->Unit(benchmark::kMillisecond);
-
-void look_up_templates(benchmark::State& state) {
-  Engine engine(5);
-  const BalancedOctree tree(2, 5, 0.35, engine);
-  std::vector<OctantPattern> patterns;
-  for (const TestOctant& o : tree.leaves()) patterns.push_back(tree.pattern_of(o));
-  TemplateTable table;
-  for (auto _ : state) {
-    for (const OctantPattern& pattern : patterns) benchmark::DoNotOptimize(table.tets(pattern).size());
-  }
-  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(patterns.size()));
-}
-BENCHMARK(look_up_templates);
 
 // range(0): 0 random, 1 lattice points, all cospherical.
 void insphere_sign(benchmark::State& state) {

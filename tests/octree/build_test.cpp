@@ -52,9 +52,9 @@ TEST(BuildOctree, OctantsThatHoldASampleHaveItsSize) {
                                         {Vec3(1.0, 1.0, 0.4), 5.0}};
   const Octree tree = build_octree(model, {0.1}, samples);
   EXPECT_EQ(check_octree(tree), "");
-  for (const SizeSample& s : samples) EXPECT_LE(tree.size_at(s.place), s.size * (1.0 + 1e-6));
-  EXPECT_GT(tree.size_at(samples[0].place), 0.0049);
-  EXPECT_NEAR(tree.size_at(samples[2].place), 0.1, 1e-9);
+  for (const SizeSample& s : samples) EXPECT_LE(tree.length_at(s.place), s.size * (1.0 + 1e-6));
+  EXPECT_GT(tree.length_at(samples[0].place), 0.0049);
+  EXPECT_NEAR(tree.length_at(samples[2].place), 0.1, 1e-9);
   const auto plain = build_octree(model, {0.1}, {});
   EXPECT_GT(tree.size(), plain.size());
   EXPECT_LT(tree.size(), plain.size() + 4000);

@@ -32,7 +32,7 @@ TEST(Gradation, LayersOfALevelAreAsManyAsAskedFor) {
           Vec3 p = box.centre();
           p[axis] += s < 0.0 ? s - 0.4 * length + length : s + 0.4 * length - length;
           if (p[axis] <= 0.0 || p[axis] >= 1.0) continue;
-          EXPECT_LE(tree.size_at(p), 2.0 * length * (1.0 + 1e-12)) << layers;
+          EXPECT_LE(tree.length_at(p), 2.0 * length * (1.0 + 1e-12)) << layers;
         }
     }
   }

@@ -14,79 +14,15 @@ namespace {
 using test::label;
 using test::Labelled;
 
-int middles(const std::array<int, 3>& p) { return static_cast<int>(std::ranges::count(p, 1)); }
-
-/// The 26 places an octant's vertices can take, lattice 0..2.
-std::vector<std::array<int, 3>> places() {
-  std::vector<std::array<int, 3>> result;
-  for (int n = 0; n < 27; ++n) {
-    if (n != 13) result.push_back({n % 3, n / 3 % 3, n / 9});
-  }
-  return result;
-}
-
-/// Vertices that are there whenever p is: balance hangs all edges of a face in whose middle a vertex hangs.
-std::set<std::array<int, 3>> with(const std::array<int, 3>& p) {
-  std::set<std::array<int, 3>> result{p};
-  if (middles(p) != 2) return result;
-  for (int axis = 0; axis < 3; ++axis) {
-    if (p[axis] != 1) continue;
-    for (const int end : {0, 2}) {
-      auto q = p;
-      q[axis] = end;
-      result.insert(q);
-    }
-  }
-  return result;
-}
-
-Vec3 vec(const std::array<int, 3>& p) { return {double(p[0]), double(p[1]), double(p[2])}; }
-
-/// Overhang in lengths of the octant of the sphere through four places, negative when no octant has it as an
-/// empty circumsphere.
-double overhang(const std::array<std::array<int, 3>, 4>& t, const std::set<std::array<int, 3>>& corners) {
-  Eigen::Matrix3d m;
-  Vec3 rhs;
-  for (int i = 0; i < 3; ++i) {
-    m.row(i) = 2.0 * (vec(t[i + 1]) - vec(t[0]));
-    rhs[i] = vec(t[i + 1]).squaredNorm() - vec(t[0]).squaredNorm();
-  }
-  if (std::abs(m.determinant()) < 1e-9) return -1.0;
-  const Vec3 centre = m.partialPivLu().solve(rhs);
-  const double radius = (vec(t[0]) - centre).norm();
-  std::set<std::array<int, 3>> there = corners;
-  for (const auto& p : t) there.merge(with(p));
-  for (const auto& p : there) {
-    if ((vec(p) - centre).norm() < radius - 1e-9) return -1.0;
-  }
-  return 0.5 * std::max((Vec3::Constant(radius) - centre).maxCoeff(),
-                        (centre - Vec3::Constant(2.0 - radius)).maxCoeff());
-}
-
-TEST(Interior, NoCircumsphereOfAnOctantOverhangsMoreThanHalfItsLength) {
-  const auto all = places();
-  std::set<std::array<int, 3>> corners;
-  for (const auto& p : all) {
-    if (middles(p) == 0) corners.insert(p);
-  }
-  double plain = 0.0, transition = 0.0;
-  const std::size_t n = all.size();
-  for (std::size_t a = 0; a < n; ++a) {
-    for (std::size_t b = a + 1; b < n; ++b) {
-      for (std::size_t c = b + 1; c < n; ++c) {
-        for (std::size_t d = c + 1; d < n; ++d) {
-          const double over = overhang({all[a], all[b], all[c], all[d]}, corners);
-          transition = std::max(transition, over);
-          if (middles(all[a]) + middles(all[b]) + middles(all[c]) + middles(all[d]) == 0)
-            plain = std::max(plain, over);
-        }
-      }
-    }
-  }
-  EXPECT_NEAR(plain, (std::sqrt(3.0) - 1.0) / 2.0, 1e-12);
-  EXPECT_NEAR(transition, 0.5, 1e-12);
-  EXPECT_LT(plain, kPlainOverhang);
-  EXPECT_LT(transition, kTransitionOverhang);
+TEST(Interior, SpheresBetweenTwoOctantsReachNoFartherThanTheOverhang) {
+  // Centres of octants of length 1 at z = -1/2 and 1/2, an edge of the face between them at y = 1/2.
+  const std::array<Vec3, 4> t{Vec3(0, 0, -0.5), Vec3(0, 0, 0.5), Vec3(0.5, 0.5, 0), Vec3(-0.5, 0.5, 0)};
+  const Vec3 centre(0, 0.25, 0);
+  const double radius = (t[0] - centre).norm();
+  for (const Vec3& p : t) EXPECT_NEAR((p - centre).norm(), radius, 1e-15);
+  EXPECT_LT(radius, 1.0);                                                 // along the line
+  EXPECT_NEAR(radius + 0.25 - 0.5, (std::sqrt(5.0) - 1.0) / 4.0, 1e-15);  // sideways
+  EXPECT_LT(radius + 0.25 - 0.5, kOverhang);
 }
 
 /// Keeps the octree vertices of region 1 that are farther than `share` of the local size from the surface.
@@ -102,29 +38,40 @@ std::vector<std::uint8_t> keep_inner(const Model& model, const Labelled& l, doub
 
 const std::vector<SizeSample> kSamples{{Vec3(0.5, 0.0, 0.0), 0.02}, {Vec3(0.1, 0.1, 0.1), 0.02}};
 
-TEST(Interior, TemplateOctantsHaveAllTheirVertices) {
+TEST(Interior, TemplateOctantsHaveAllTheirVerticesAndNoneHangs) {
   const Model model = analytic_ball(0.5);
   const Labelled l = label(model, 0.06, kSamples);
   const auto kept = keep_inner(model, l, 0.6);
   const auto templates = template_octants(model, l.tree, l.vertices, l.labels, kept, {});
   ASSERT_GT(templates.size(), 1000u);
-  std::size_t hanging = 0;
   for (const OctantId t : templates) {
     EXPECT_EQ(l.labels.type[t.index()], OctantType::kIn);
     const OctantLattice lattice = octant_lattice(l.tree, l.vertices, t);
     for (const std::uint32_t v : lattice) EXPECT_TRUE(v == kNoVertex || kept[v] != 0);
-    if (27 - std::ranges::count(lattice, kNoVertex) > 8) ++hanging;
+    EXPECT_EQ(27 - std::ranges::count(lattice, kNoVertex), kPlainVertices);
   }
-  EXPECT_GT(hanging, 20u);
 }
 
-TEST(Interior, CircumspheresOfPlainTemplateOctantsHoldNoPointOfTheBoundary) {
+TEST(Interior, CircumspheresBetweenTemplateOctantsHoldNoPointOfTheBoundary) {
   for (const auto& [name, model, size] : test::analytic_models()) {
     const Labelled l = label(model, size / 2);
-    const auto kept = keep_inner(model, l, 0.6);
-    for (const OctantId t : template_octants(model, l.tree, l.vertices, l.labels, kept, {})) {
+    const auto kept = keep_inner(model, l, 0.45);
+    std::vector<std::uint8_t> is_template(l.tree.size(), 0);
+    const auto templates = template_octants(model, l.tree, l.vertices, l.labels, kept, {});
+    for (const OctantId t : templates) is_template[t.index()] = 1;
+    for (const OctantId t : templates) {
       const double length = l.tree.length(l.tree[t].level);
-      EXPECT_FALSE(model.closest(l.tree.box(t).centre(), std::sqrt(0.75) * length)) << name;
+      for (int axis = 0; axis < 3; ++axis) {
+        const auto other = l.tree.across(t, axis, true);
+        if (!other || is_template[other->index()] == 0) continue;
+        const Vec3 middle = 0.5 * (l.tree.box(t).centre() + l.tree.box(*other).centre());
+        for (const int sideways : {1, 2}) {
+          for (const double sign : {-0.25, 0.25}) {
+            const Vec3 centre = middle + sign * length * Vec3::Unit((axis + sideways) % 3);
+            EXPECT_FALSE(model.closest(centre, 0.559 * length)) << name;
+          }
+        }
+      }
     }
   }
 }
@@ -153,32 +100,33 @@ TEST(Interior, AFreePointInsideKeepsTheOctantsAroundItOut) {
   }
 }
 
-TEST(Interior, BandVerticesArePillarsAndThoseOfOctantsThatAreNoTemplates) {
+TEST(Interior, BandVerticesArePillarsAndThoseOfTetrahedraThatAreNotBetweenTemplates) {
   const Model model = analytic_ball(0.5);
   const Labelled l = label(model, 0.06, kSamples);
   const auto kept = keep_inner(model, l, 0.6);
   const auto templates = template_octants(model, l.tree, l.vertices, l.labels, kept, {});
   const double length = 0.06;
   const auto band = band_vertices(l.tree, l.vertices, templates, kept, length);
+  const std::set<OctantId> is_template(templates.begin(), templates.end());
   std::set<std::uint32_t> expected;
-  std::size_t next = 0;
+  const auto expect = [&](std::uint32_t v) {
+    if (v != kNoVertex && kept[v] != 0) expected.insert(v);
+  };
   for (std::size_t i = 0; i < l.tree.size(); ++i) {
-    if (next < templates.size() && templates[next] == OctantId(i)) {
-      ++next;
+    const OctantId o(i);
+    if (!is_template.contains(o)) {
+      for (const std::uint32_t v : octant_lattice(l.tree, l.vertices, o)) expect(v);
       continue;
     }
-    const Box3 box = l.tree.box(OctantId(i));
-    for (const std::uint32_t v : octant_lattice(l.tree, l.vertices, OctantId(i))) {
-      if (v == kNoVertex || kept[v] == 0) continue;
-      expected.insert(v);
-      EXPECT_TRUE(box.contains(l.tree.position(l.vertices.at[v])));
+    for (int face = 0; face < 6; ++face) {
+      const auto other = l.tree.across(o, face / 2, face % 2 != 0);
+      if (!other || !is_template.contains(*other)) expect(l.vertices.centre(o));
     }
   }
-  ASSERT_EQ(next, templates.size());
   const Lattice::value_type spacing = pillar_spacing(l.tree, length);
   EXPECT_NEAR(l.tree.length(0) * spacing / (1u << kLatticeLevels), 8 * length, 1e-3 * length);
   for (std::uint32_t v = 0; v < kept.size(); ++v)
-    if (kept[v] != 0 && is_pillar(l.vertices.at[v], spacing)) expected.insert(v);
+    if (is_pillar(l.vertices.at[v], spacing)) expect(v);
   for (std::uint32_t v = 0; v < band.size(); ++v) EXPECT_EQ(band[v] != 0, expected.contains(v));
   EXPECT_LT(expected.size(), static_cast<std::size_t>(std::ranges::count(kept, 1)));
 }

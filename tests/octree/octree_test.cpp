@@ -58,8 +58,8 @@ TEST(Octree, RefineSplitsWhatIsAskedAndStaysBalanced) {
 
 TEST(Octree, RefineLeavesOctantsOfTheFinestLevel) {
   Octree tree(Vec3::Zero(), 1.0, {Octant{}});
-  for (int level = 0; level < kLatticeLevels; ++level) tree = refine(tree, std::array{OctantId(0)});
-  EXPECT_EQ(tree[OctantId(0)].level, kLatticeLevels);
+  for (int level = 0; level < kDeepestLevel; ++level) tree = refine(tree, std::array{OctantId(0)});
+  EXPECT_EQ(tree[OctantId(0)].level, kDeepestLevel);
   EXPECT_EQ(refine(tree, std::array{OctantId(0)}).size(), tree.size());
   EXPECT_EQ(check_octree(tree), "");
 }

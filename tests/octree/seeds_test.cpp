@@ -85,7 +85,7 @@ TEST(Seeds, PointsLieOnTheirEntities) {
   }
 }
 
-TEST(Seeds, FacePointsKeepHalfTheSizeFromTheClosureOfTheirFace) {
+TEST(Seeds, FacePointsKeepTheirDistanceFromTheClosureOfTheirFace) {
   const Model model = analytic_box(Vec3(1, 1.3, 0.9), {oblique(), 1e-3});
   const Stage stage = seed(model, 0.2);
   const SeedPoints& points = stage.seeds.points;
@@ -93,7 +93,8 @@ TEST(Seeds, FacePointsKeepHalfTheSizeFromTheClosureOfTheirFace) {
     if (points.on[i].dim != 2) continue;
     for (std::size_t j = 0; j < stage.seeds.surface_points; ++j)
       if (i != j && model.in_closure(points.on[j], points.on[i])) {
-        EXPECT_GT((points.position[i] - points.position[j]).norm(), 0.5 * 0.2 * (1 - 1e-6));
+        EXPECT_GT((points.position[i] - points.position[j]).norm(),
+                  0.7 * kSpacingPerOctant * 0.2 * (1 - 1e-6));
       }
   }
 }

@@ -18,7 +18,7 @@ Lattice corner(const Octant& o, int c) {
   return {o.corner[0] + (c & 1) * e, o.corner[1] + (c >> 1 & 1) * e, o.corner[2] + (c >> 2) * e};
 }
 
-TEST(OctreeVertices, AreTheCornersOfAllOctantsOnce) {
+TEST(OctreeVertices, AreTheCornersOfAllOctantsOnceThenTheCentres) {
   for (unsigned seed = 0; seed < 5; ++seed) {
     const Octree tree = random_tree(seed);
     const OctreeVertices vertices = octree_vertices(tree);
@@ -29,11 +29,18 @@ TEST(OctreeVertices, AreTheCornersOfAllOctantsOnce) {
         it->second = std::max<int>(it->second, o.level);
       }
     }
-    ASSERT_EQ(vertices.size(), finest.size());
+    ASSERT_EQ(vertices.corner_count(), finest.size());
+    ASSERT_EQ(vertices.size(), finest.size() + tree.size());
     std::size_t v = 0;
     for (const auto& [key, level] : finest) {  // Morton order, as promised
       EXPECT_EQ(morton_key(vertices.at[v]), key);
       EXPECT_EQ(vertices.finest_level[v], level);
+      ++v;
+    }
+    for (const Octant& o : tree.octants()) {
+      const Lattice &lower = o.corner, upper = corner(o, 7), &at = vertices.at[v];
+      for (int axis = 0; axis < 3; ++axis) EXPECT_EQ(2 * at[axis], lower[axis] + upper[axis]);
+      EXPECT_EQ(vertices.finest_level[v], o.level);
       ++v;
     }
   }
@@ -49,10 +56,12 @@ TEST(OctreeVertices, CornersOfAnOctantAreNumberedXFastest) {
   }
 }
 
-TEST(OctreeVertices, FindsVerticesAndNothingElse) {
+TEST(OctreeVertices, FindsCornersAndNothingElse) {
   const Octree tree = random_tree(12);
   const OctreeVertices vertices = octree_vertices(tree);
-  for (std::uint32_t v = 0; v < vertices.size(); ++v) EXPECT_EQ(vertices.find(vertices.at[v]), v);
+  for (std::uint32_t v = 0; v < vertices.corner_count(); ++v) EXPECT_EQ(vertices.find(vertices.at[v]), v);
+  for (std::size_t v = vertices.corner_count(); v < vertices.size(); ++v)
+    EXPECT_EQ(vertices.find(vertices.at[v]), kNoVertex);
   EXPECT_EQ(vertices.find({1, 1, 1}), kNoVertex);
   EXPECT_EQ(vertices.find({kLatticeExtent, kLatticeExtent, kLatticeExtent - 1}), kNoVertex);
 }
@@ -75,9 +84,8 @@ TEST(OctantLattice, HoldsExactlyTheVerticesOnTheOctant) {
       for (std::uint32_t place = 0; place < 27; ++place) {
         const Lattice p{o.corner[0] + place % 3 * half, o.corner[1] + place / 3 % 3 * half,
                         o.corner[2] + place / 9 * half};
-        EXPECT_EQ(lattice[place], vertices.find(p));
+        EXPECT_EQ(lattice[place], place == 13 ? vertices.centre(OctantId(i)) : vertices.find(p));
       }
-      EXPECT_EQ(lattice[13], kNoVertex);
     }
   }
 }
