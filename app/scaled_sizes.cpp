@@ -26,6 +26,7 @@ MeshOptions scaled_sizes(const Model& model, const MeshOptions& options, double 
   scaled.target_elements = 0.0;
   scaled.size = scale * global_size(model, options);
   scaled.max_size = 0.0;  // in the size already
+  scaled.region_scale *= scale;
   scaled.curvature_angle =
       std::min(scale * options.curvature_angle, std::max(options.curvature_angle, kWidestAngle));
   // Finer sizes make walls no thinner: what is asked for across them is a least number.
@@ -61,12 +62,14 @@ MeshOptions with_default_size(const Model& model, const MeshOptions& options) {
   MeshOptions chosen = options;
   chosen.size = global_size(model, options);
   chosen.suit_curvature = true;
+  if (options.small_regions) chosen.region_scale = 1.0;
   const bool free =
       options.attributes.empty() && !options.background && options.min_size == 0.0 && options.max_size == 0.0;
   if (!free) return chosen;
   const auto sizes = [&](double log_scale) {
     MeshOptions scaled = chosen;
     scaled.size = chosen.size * std::exp(log_scale);
+    scaled.region_scale = chosen.region_scale * std::exp(log_scale);
     scaled.suit_curvature = false;  // it would move the size by up to half an octant's level
     return scaled;
   };

@@ -35,6 +35,8 @@ const char* reason_name(SizeReason why) {
       return "curvature";
     case SizeReason::kWall:
       return "wall";
+    case SizeReason::kSmallRegion:
+      return "small region";
     default:
       return "gap";
   }
@@ -54,7 +56,7 @@ std::map<ModelRef, EntitySize> entity_sizes(const SizePlan& plan) {
   }
   for (std::size_t r = 1; r < plan.region_size.size(); ++r)
     if (plan.region_size[r] < kNoSize)
-      sizes[model_region(static_cast<int>(r))] = {plan.region_size[r], SizeReason::kAttribute,
+      sizes[model_region(static_cast<int>(r))] = {plan.region_size[r], plan.region_why[r],
                                                   given(request.region_size[r])};
   return sizes;
 }

@@ -46,7 +46,7 @@ double curvature_angle(const std::string& text) {
 void make_uniform(SizeControl& control) {
   control.curvature_angle = 0.0;
   control.wall_elements = control.gap_elements = 0.0;
-  control.short_edges = false;
+  control.short_edges = control.small_regions = false;
 }
 
 }  // namespace

@@ -16,8 +16,9 @@ enum class SizeReason : std::uint8_t {
   kShortEdge,  ///< an edge shorter than the size
   kEdgeGap,    ///< another edge runs close by
   kCurvature,
-  kWall,  ///< the part is thin there
-  kGap,   ///< another part of the boundary is near, across the outside
+  kWall,         ///< the part is thin there
+  kGap,          ///< another part of the boundary is near, across the outside
+  kSmallRegion,  ///< a region that would have smaller elements alone
 };
 
 /// Elements around `place` should have edges no longer than `size` (model units).

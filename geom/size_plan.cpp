@@ -51,13 +51,15 @@ class Planner {
     plan_.min_size = control.min_size > 0.0 ? control.min_size : kFinestShare * plan_.asked;
     plan_.growth = control.growth;
     plan_.region_size.assign(static_cast<std::size_t>(model.count(3)) + 1, kNoSize);
+    plan_.region_why.assign(plan_.region_size.size(), SizeReason::kAttribute);
   }
 
   SizePlan run() {
     resolve_attributes();
     add_features();
     add_walls();
-    for (const auto& [entity, size] : wanted_) wish_for(entity, size);
+    for (const auto& [entity, size] : wanted_) wish_for(entity, size, SizeReason::kAttribute);
+    if (control_.region_scale > 0.0) hold_small_regions();
     if (plan_.size > plan_.asked) hold_other_regions();
     plan_.field = smaller_of(shapes(), floored(control_.background));
     return std::move(plan_);
@@ -120,14 +122,44 @@ class Planner {
 
   /// Where a region is coarser than the size asked for, the others are held to that size one by one.
   void hold_other_regions() {
-    for (int tag = 1; tag <= model_.count(3); ++tag)
-      if (plan_.region_size[static_cast<std::size_t>(tag)] == kNoSize)
-        wish_for(model_region(tag), plan_.asked);
+    std::vector<double> sizes(plan_.region_size.size(), kNoSize);
+    for (std::size_t tag = 1; tag < sizes.size(); ++tag)
+      if (plan_.region_size[tag] == kNoSize) sizes[tag] = plan_.asked;
+    hold_regions(sizes, SizeReason::kGlobal);
   }
 
-  void wish_for(ModelRef entity, double size) {
+  /// The solder balls of a chip, whose size suits the chip, are small, but no feature of anything. Octants
+  /// come in powers of two: what is hardly smaller than the size asked for makes no difference.
+  void hold_small_regions() {
+    constexpr double kSmall = 0.75;
+    std::vector<double> sizes = default_region_sizes(model_);
+    for (std::size_t tag = 1; tag < sizes.size(); ++tag) {
+      sizes[tag] = within_limits(std::max(control_.region_scale * sizes[tag], plan_.min_size));
+      if (sizes[tag] > kSmall * plan_.asked || plan_.region_size[tag] != kNoSize) sizes[tag] = kNoSize;
+    }
+    hold_regions(sizes, SizeReason::kSmallRegion);
+  }
+
+  /// Each region, its faces included, to its size; no size for regions that are not held.
+  void hold_regions(const std::vector<double>& sizes, SizeReason why) {
+    for (std::size_t tag = 1; tag < sizes.size(); ++tag) {
+      if (sizes[tag] >= plan_.region_size[tag]) continue;
+      plan_.region_size[tag] = sizes[tag];
+      plan_.region_why[tag] = why;
+    }
     Wishes wishes(plan_.size, control_.min_size);
-    const Wisher who{entity, SizeReason::kAttribute};
+    const Facets& facets = model_.facets();
+    for (std::size_t t = 0; t < facets.triangles.size(); ++t)
+      for (const int region : model_.face(facets.face[t]).region)
+        if (region != 0 && sizes[static_cast<std::size_t>(region)] < kNoSize)
+          wish_on_triangle(facet_corners(facets, t), sizes[static_cast<std::size_t>(region)],
+                           {model_region(region), why}, wishes);
+    take(wishes.take());
+  }
+
+  void wish_for(ModelRef entity, double size, SizeReason why) {
+    Wishes wishes(plan_.size, control_.min_size);
+    const Wisher who{entity, why};
     if (entity.dim == 0) wish_around(model_.vertex(entity.tag).point, size, who, wishes);
     if (entity.dim == 1 && model_.edge(entity.tag).use != EdgeUse::kDegenerate)
       wish_on_edge(model_, entity.tag, model_.edge(entity.tag).t0, model_.edge(entity.tag).t1, size, who,
@@ -136,6 +168,7 @@ class Planner {
     if (entity.dim == 3) {
       double& region_size = plan_.region_size[static_cast<std::size_t>(entity.tag)];
       region_size = std::min(region_size, size);
+      plan_.region_why[static_cast<std::size_t>(entity.tag)] = why;
       for (const int face : model_.region(entity.tag).faces) wish_on_face(face, size, who, wishes);
     }
     take(wishes.take());

@@ -23,6 +23,8 @@ struct SizeControl {
   double wall_elements = 1.0;      ///< n across walls; 0: off
   double gap_elements = 1.0;       ///< n across gaps and to edges that run close by; 0: off
   bool short_edges = true;         ///< edges shorter than the size are one element
+  bool small_regions = true;       ///< without a size asked for: see region_scale
+  double region_scale = 0.0;       ///< no region is coarser than this times default_region_sizes(); 0: off
   double wall_budget = 250'000.0;  ///< elements that walls and gaps of faces may cost; 0: any number
   double growth = 2.0;             ///< largest ratio of neighbouring sizes, above 1
   std::vector<SizeAttribute> attributes;
@@ -38,7 +40,8 @@ struct SizePlan {
       wanted;  ///< sizes of attributes, and for the commonest radius: the lattice should suit them
   std::vector<SizeSample> samples;  ///< in a deterministic order
   std::vector<double> region_size;  ///< per region tag, infinite where nothing is asked for
-  SizeField field;                  ///< shapes and background; may be empty
+  std::vector<SizeReason> region_why;
+  SizeField field;  ///< shapes and background; may be empty
   double growth = 2.0;
 };
 

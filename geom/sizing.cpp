@@ -142,6 +142,10 @@ void wish_on_faces(const Model& model, const SizingOptions& options, Wishes& wis
   }
 }
 
+/// Elements along the diagonal of a compact part, ten along the side of a cube; and of a small one of many: a
+/// ball of that size loses 3 % of its volume.
+constexpr double kAlongPart = 17.0, kAlongRegion = 12.0;
+
 }  // namespace
 
 std::vector<SizeSample> feature_sizes(const Model& model, const SizingOptions& options) {
@@ -156,14 +160,25 @@ std::vector<SizeSample> feature_sizes(const Model& model, const SizingOptions& o
 }
 
 // Twice the volume over the surface is the thickness of a plate and a third of a cube's side. The size is
-// that thickness, but no coarser than a seventeenth of the diagonal, which is what compact parts get, and no
-// finer than an 85th, so that a thin sheet costs no more than about a hundred elements each way.
+// that thickness, but no coarser than what compact parts get, and no finer than an 85th of the diagonal, so
+// that a thin sheet costs no more than about a hundred elements each way.
 double default_size(const Model& model) {
   double volume = 0.0, area = 0.0;
   for (int r = 1; r <= model.count(3); ++r) volume += std::abs(model.region(r).volume);
   for (int f = 1; f <= model.count(2); ++f) area += std::abs(model.face(f).area);
-  const double coarsest = model.diagonal() / 17.0, finest = model.diagonal() / 85.0;
+  const double coarsest = model.diagonal() / kAlongPart, finest = model.diagonal() / 85.0;
   return area > 0.0 ? std::clamp(2.3 * volume / area, finest, coarsest) : coarsest;
+}
+
+std::vector<double> default_region_sizes(const Model& model) {
+  const Facets& facets = model.facets();
+  std::vector<Box3> boxes(static_cast<std::size_t>(model.count(3)) + 1);
+  for (std::size_t t = 0; t < facets.triangles.size(); ++t)
+    for (const int region : model.face(facets.face[t]).region)
+      for (const std::uint32_t node : facets.triangles[t]) boxes[region].add(facets.nodes[node]);
+  std::vector<double> sizes;
+  for (const Box3& box : boxes) sizes.push_back(box.diagonal() / kAlongRegion);
+  return sizes;
 }
 
 }  // namespace octet

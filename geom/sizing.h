@@ -26,5 +26,7 @@ struct SizingOptions {
 /// A sensible size when none is given: from the diagonal, the volume and the surface (documented in the
 /// source).
 [[nodiscard]] double default_size(const Model& model);
+/// Per region tag, a twelfth of its diagonal: thin regions are left to the sizes of walls.
+[[nodiscard]] std::vector<double> default_region_sizes(const Model& model);
 
 }  // namespace octet

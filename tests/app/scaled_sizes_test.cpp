@@ -6,8 +6,11 @@
 
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRep_Builder.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
 #include <cmath>
 
 #include "app/element_estimate.h"
@@ -50,9 +53,30 @@ TEST(ScaledSizes, PartsOfManySmallFeaturesGetFewEnoughElements) {
   EXPECT_GT(elements, 200'000.0);
 }
 
+TEST(ScaledSizes, SmallRegionsHaveASizeOfTheirOwnUnlessOneIsAskedFor) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(40.0, 30.0, 20.0).Shape();
+  const TopoDS_Shape ball = BRepPrimAPI_MakeSphere(gp_Pnt(50.0, 0.0, 0.0), 1.0).Shape();
+  const BRep_Builder builder;
+  TopoDS_Compound both;
+  builder.MakeCompound(both);
+  builder.Add(both, box);
+  builder.Add(both, ball);
+  const Model model = model_from_shape(both);
+  const MeshOptions unasked = with_default_size(model, {});
+  const SizePlan plan = plan_sizes(model, unasked);
+  EXPECT_EQ(plan.region_size[1], kNoSize);
+  EXPECT_NEAR(plan.region_size[2], unasked.region_scale * std::sqrt(12.0) / 12.0, 0.02);
+  EXPECT_LT(plan.region_size[2], 0.2 * plan.asked);
+  EXPECT_EQ(scaled_sizes(model, unasked, 0.5).region_scale, 0.5 * unasked.region_scale);
+  MeshOptions uniform;
+  uniform.small_regions = false;
+  EXPECT_EQ(with_default_size(model, uniform).region_scale, 0.0);
+}
+
 TEST(ScaledSizes, ASizeAskedForIsLeftAlone) {
   MeshOptions options;
   options.size = 0.3;
+  EXPECT_EQ(with_default_size(analytic_ball(1.0, {{}, 1e-3}), options).region_scale, 0.0);
   EXPECT_EQ(with_default_size(analytic_ball(1.0, {{}, 1e-3}), options).size, 0.3);
   EXPECT_FALSE(with_default_size(analytic_ball(1.0, {{}, 1e-3}), options).suit_curvature);
 }

@@ -115,5 +115,13 @@ TEST(Sizing, DefaultSizeFollowsThicknessBetweenItsBounds) {
   EXPECT_NEAR(default_size(plate), 2.3 * 0.04 / 2.16, 1e-12);
 }
 
+TEST(Sizing, ARegionsDefaultSizeFollowsItsOwnExtent) {
+  const Model model = analytic_two_boxes(Vec3(1, 2, 3));
+  const std::vector<double> sizes = default_region_sizes(model);
+  ASSERT_EQ(sizes.size(), 3u);
+  for (int r = 1; r <= 2; ++r) EXPECT_NEAR(sizes[r], Vec3(1, 2, 3).norm() / 12, 1e-12);
+  EXPECT_LT(sizes[1], model.diagonal() / 12);
+}
+
 }  // namespace
 }  // namespace octet
