@@ -22,12 +22,15 @@ extern "C" void on_interrupt(int signal) {
 
 }  // namespace
 
-void catch_signals() {
-  std::signal(SIGINT, on_interrupt);
-  std::signal(SIGTERM, on_interrupt);
+void ignore_file_size_signal() {
 #ifdef SIGXFSZ
   std::signal(SIGXFSZ, SIG_IGN);
 #endif
+}
+
+Console::Console(ConsoleOptions options) : options_(std::move(options)) {
+  std::signal(SIGINT, on_interrupt);
+  std::signal(SIGTERM, on_interrupt);
 }
 
 void Console::stage(std::string_view name, double fraction) {

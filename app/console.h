@@ -17,13 +17,14 @@ struct ConsoleOptions {
   std::filesystem::path dump_directory;  ///< empty: no dumps
 };
 
-/// Makes Ctrl-C and SIGTERM end the run at the next question; the second one kills. A file size limit becomes
-/// a failed write instead of a signal. Called once, by main.
-void catch_signals();
+/// Makes a file size limit a failed write instead of a signal. Called once, by main.
+void ignore_file_size_signal();
 
+/// Where there is one, Ctrl-C and SIGTERM end the run at the next question; the second one kills. A command
+/// without one asks no questions, and is ended at once.
 class Console : public Observer {
  public:
-  explicit Console(ConsoleOptions options) : options_(std::move(options)) {}
+  explicit Console(ConsoleOptions options);
   ~Console() override { clear(); }
   Console(const Console&) = delete;
   Console& operator=(const Console&) = delete;

@@ -257,6 +257,6 @@ int run(int argc, char** argv) {
 }  // namespace octet
 
 int main(int argc, char** argv) {
-  octet::catch_signals();
+  octet::ignore_file_size_signal();
   return octet::run(argc, argv);
 }

@@ -339,9 +339,11 @@ MeshResult mesh_part(const Model& model, const MeshOptions& options, Observer& o
   const auto mesh = [&](const MeshOptions& with) {
     return apart ? mesh_apart(model, with, observer) : Run(model, with, observer).run();
   };
+  MeshOptions watched = options;
+  watched.cancelled = [&observer] { return observer.cancelled(); };
   arena.execute([&] {
-    result = options.target_elements > 0.0 ? mesh_to_target(model, options, mesh)
-                                           : mesh(with_default_size(model, options));
+    result = options.target_elements > 0.0 ? mesh_to_target(model, watched, mesh)
+                                           : mesh(with_default_size(model, watched));
   });
   MeshReport& report = result.report;
   report.faults.insert(report.faults.begin(), model.parts().faults.begin(), model.parts().faults.end());

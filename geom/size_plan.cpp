@@ -105,6 +105,7 @@ class Planner {
     options.wall_elements = control_.wall_elements;
     options.gap_elements = control_.gap_elements;
     options.budget = control_.wall_budget;
+    options.cancelled = control_.cancelled;
     take(wall_sizes(model_, options));
   }
 

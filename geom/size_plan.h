@@ -2,6 +2,7 @@
 // All sizes of a run together: what the user asks for, and what the part asks for itself.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -28,7 +29,8 @@ struct SizeControl {
   double wall_budget = 250'000.0;  ///< elements that walls and gaps of faces may cost; 0: any number
   double growth = 2.0;             ///< largest ratio of neighbouring sizes, above 1
   std::vector<SizeAttribute> attributes;
-  SizeField background;  ///< wishes over space; only those below the size asked for count
+  SizeField background;             ///< wishes over space; only those below the size asked for count
+  std::function<bool()> cancelled;  ///< asked often; true ends planning with Cancelled; may be empty
 };
 
 /// What the octree is built from.

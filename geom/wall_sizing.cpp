@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/error.h"
 #include "base/size_field.h"
 #include "geom/facet_bvh.h"
 #include "geom/size_wishes.h"
@@ -16,6 +17,9 @@ namespace {
 
 /// Least cosine between a sheet's normal and a ray that meets it face on: normals 135 degrees apart and more.
 constexpr double kFacing = 0.7071;
+
+/// Facets between two questions whether to go on: a multiple of every stride, a tenth of a second at most.
+constexpr std::size_t kFacetsAQuestion = 1024;
 
 /// Tetrahedra in the cube of their mean edge length, as the octree makes them (12 in an octant).
 constexpr double kTetsPerCube = 9.4;
@@ -47,6 +51,7 @@ class WallSizer {
   /// The wishes of every `stride`-th facet; none when they pass the budget.
   std::optional<std::vector<SizeSample>> run(std::size_t stride = 1) {
     for (std::size_t t = 0; t < facets_.triangles.size(); t += stride) {
+      if (t % kFacetsAQuestion == 0 && options_.cancelled && options_.cancelled()) throw Cancelled();
       const int face = facets_.face[t];
       for (const int side : {-1, 1}) {
         const bool inside = model_.face(face).region[side > 0 ? 1 : 0] != 0;

@@ -2,6 +2,7 @@
 // Where two sheets of the boundary face each other at less than the size asked for: walls and gaps.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "base/size_sample.h"
@@ -10,11 +11,12 @@
 namespace octet {
 
 struct WallOptions {
-  double size = 0.0;           ///< h: the size asked for, model units
-  double min_size = 0.0;       ///< no wish is smaller than this
-  double wall_elements = 1.0;  ///< n across the material; 0: off
-  double gap_elements = 1.0;   ///< n across the outside, between two sheets; 0: off
-  double budget = 0.0;         ///< elements that walls and gaps may cost, about; 0: any number
+  double size = 0.0;                ///< h: the size asked for, model units
+  double min_size = 0.0;            ///< no wish is smaller than this
+  double wall_elements = 1.0;       ///< n across the material; 0: off
+  double gap_elements = 1.0;        ///< n across the outside, between two sheets; 0: off
+  double budget = 0.0;              ///< elements that walls and gaps may cost, about; 0: any number
+  std::function<bool()> cancelled;  ///< asked often; true ends the search with Cancelled; may be empty
 };
 
 /// Wishes for thickness / n, through the whole thickness, in a deterministic order.

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "base/error.h"
 #include "geom/analytic.h"
 #include "tests/geom/sample_models.h"
 
@@ -58,6 +59,12 @@ TEST(WallSizing, SeveralElementsAcrossAreSampledThroughTheThickness) {
     if (s.place.norm() > 0.9) deepest = std::min(deepest, s.place.norm());
   }
   EXPECT_LT(deepest, 0.95);
+}
+
+TEST(WallSizing, TheSearchEndsWhenCancelled) {
+  WallOptions options = walls(1.0, 1.0);
+  options.cancelled = [] { return true; };
+  EXPECT_THROW((void)wall_sizes(analytic_box(Vec3(3, 3, 0.25)), options), Cancelled);
 }
 
 TEST(WallSizing, AKnifeIsNoWall) {
