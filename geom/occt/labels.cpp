@@ -180,7 +180,8 @@ void collect_labels(const Handle(TDocStd_Document) & document, CadDocument& resu
     only = shape;
     ++count;
     builder.Add(all, shape);
-    walk.visit(label, TopLoc_Location(), -1);
+    // Of an IGES file it may be a use of a part, with a place of its own.
+    walk.visit(label, XCAFDoc_ShapeTool::GetLocation(label), -1);
   }
   if (count > 0) result.shape = count == 1 ? only : TopoDS_Shape(all);
 }

@@ -1,8 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the file says of parts, solids and faces comes through reading and fusing.
+#include "geom/occt/labels.h"
+
 #include <gtest/gtest.h>
 
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <XCAFDoc_DocumentTool.hxx>
+#include <XCAFDoc_ShapeTool.hxx>
 #include <algorithm>
+#include <gp_Trsf.hxx>
 #include <set>
 
 #include "base/error.h"
@@ -115,6 +123,23 @@ TEST(Labels, WhatTouchesThePlateSharesOneFaceWithIt) {
   }
   EXPECT_EQ(beside.size(), 3u);
   EXPECT_NEAR(area, 144.0 + 2.0 * kPin / 10.0, 1e-6);
+}
+
+TEST(Labels, APartThatIsAUseStandsInTheTreeWhereItStandsInThePart) {
+  // IGES files of assemblies are read so: what is free is a use with a place of its own.
+  const Handle(TDocStd_Document) document = new TDocStd_Document("XmlXCAF");
+  const Handle(XCAFDoc_ShapeTool) tool = XCAFDoc_DocumentTool::ShapeTool(document->Main());
+  gp_Trsf shift;
+  shift.SetTranslation(gp_Vec(10.0, 0.0, 0.0));
+  tool->AddShape(BRepPrimAPI_MakeBox(1.0, 2.0, 3.0).Shape().Moved(shift), false);
+  CadDocument read;
+  collect_labels(document, read);
+  ASSERT_EQ(read.tree.size(), 1u);
+  TopTools_IndexedMapOfShape of_part, of_tree;
+  TopExp::MapShapes(read.shape, TopAbs_FACE, of_part);
+  TopExp::MapShapes(read.tree[0].shape, TopAbs_FACE, of_tree);
+  EXPECT_EQ(of_tree.Extent(), 6);
+  for (int i = 1; i <= of_tree.Extent(); ++i) EXPECT_TRUE(of_part.Contains(of_tree(i)));
 }
 
 }  // namespace
