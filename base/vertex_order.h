@@ -18,10 +18,10 @@ inline constexpr int kRankClassShift = 57;
 /// Rank of an octree vertex at lattice coordinates (i, j, k), each in 0..2^kLatticeLevels. Its class is
 /// 2*level + parity, where `level` is the coarsest level whose lattice holds the vertex (root = 0) and
 /// `parity` is whether an odd number of its coordinates at that level are odd; within a class come the
-/// coordinates. A larger class is a larger symbolic weight. The four corners of an octant that are odd at its
-/// level then outweigh the other four, equally: alternating diagonals, five tetrahedra in every plain octant,
-/// whatever its neighbours are (docs/ARCHITECTURE.md). The rank depends on the place alone, so it outlives
-/// refinement. All octree vertices rank above all other points.
+/// coordinates. A larger class is a larger symbolic weight. In a cube of octree vertices whose centre is no
+/// point, as beside the boundary, the four corners that are odd at its level then outweigh the other four,
+/// equally: alternating diagonals, whatever its neighbours are (docs/ARCHITECTURE.md). The rank depends on
+/// the place alone, so it outlives refinement. All octree vertices rank above all other points.
 [[nodiscard]] constexpr std::uint64_t octree_vertex_rank(std::uint32_t i, std::uint32_t j, std::uint32_t k) {
   const std::uint32_t any = i | j | k;
   const int shift = any == 0 ? kLatticeLevels : std::min(kLatticeLevels, std::countr_zero(any));

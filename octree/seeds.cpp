@@ -51,7 +51,8 @@ struct Surroundings {
 Surroundings surroundings(const Octree& tree, const OctreeVertices& vertices, const OctreeLabels& labels) {
   Surroundings result{std::vector<std::uint8_t>(vertices.size(), 2),
                       std::vector<std::uint8_t>(vertices.size(), 0)};
-  auto& [ring, open] = result;
+  std::vector<std::uint8_t>& ring = result.ring;
+  std::vector<std::uint8_t>& open = result.open;
   for (std::size_t o = 0; o < tree.size(); ++o)
     if (labels.type[o] == OctantType::kBoundary)
       for_each_vertex(tree, vertices, OctantId(o), [&](std::uint32_t v) { ring[v] = 0; });
@@ -135,7 +136,9 @@ void seed_octree_vertices(SeedState& state, const OctreeVertices& vertices, cons
                           double length) {
   const Lattice::value_type spacing = pillar_spacing(state.tree, length);
   Seeds& seeds = state.seeds;
-  const auto [ring, open] = surroundings(state.tree, vertices, labels);
+  const Surroundings around = surroundings(state.tree, vertices, labels);
+  const std::vector<std::uint8_t>& ring = around.ring;
+  const std::vector<std::uint8_t>& open = around.open;
   const Vagueness vagueness(state.model);
   const auto spacing_at = [&](std::uint32_t v) {
     return kSpacingPerOctant * state.tree.length(vertices.finest_level[v]);
@@ -144,7 +147,7 @@ void seed_octree_vertices(SeedState& state, const OctreeVertices& vertices, cons
     return vagueness.covers(state.tree.position(vertices.at[v]), kOctreeSpacing * spacing_at(v));
   };
   // Octree vertices are on a lattice of their own spacing: only points placed before them can be too close.
-  const auto is_clear = [&, &ring = ring](std::uint32_t v) {
+  const auto is_clear = [&](std::uint32_t v) {
     const Vec3 p = state.tree.position(vertices.at[v]);
     const double clear = kOctreeSpacing * spacing_at(v);
     return !state.points_grid.any_within(p, clear, [](std::uint32_t, double) { return true; }) &&
