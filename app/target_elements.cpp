@@ -16,24 +16,30 @@ namespace octet {
 namespace {
 
 constexpr double kCloseEnough = 0.125;
+constexpr double kSameOctants = 0.01;  // logarithms of scales that are nearer are not told apart
 
-/// The scale where the line between the nearest tries above and below the target meets it; none without both.
+/// The scale where the line between the tries above and below the target that are nearest to one another
+/// meets it; none without both. Counts need not fall with every growth of the size.
 std::optional<double> crossing(const std::vector<std::pair<double, double>>& tried) {
-  const std::pair<double, double>*above = nullptr, *below = nullptr;
-  for (const auto& one : tried) {
-    if (one.second >= 0.0 && (above == nullptr || one.second < above->second)) above = &one;
-    if (one.second < 0.0 && (below == nullptr || one.second > below->second)) below = &one;
+  std::optional<double> found;
+  double nearest = 0.0;
+  for (const auto& above : tried) {
+    for (const auto& below : tried) {
+      const double apart = std::abs(below.first - above.first);
+      if (above.second < 0.0 || below.second >= 0.0 || (found && apart >= nearest)) continue;
+      nearest = apart;
+      const double share = std::clamp(above.second / (above.second - below.second), 0.2, 0.8);
+      found = above.first + share * (below.first - above.first);
+    }
   }
-  if (above == nullptr || below == nullptr) return std::nullopt;
-  const double share = std::clamp(above->second / (above->second - below->second), 0.2, 0.8);
-  return above->first + share * (below->first - above->first);
+  return found;
 }
 
 }  // namespace
 
 MeshResult mesh_to_target(const Model& model, const MeshOptions& options,
                           const std::function<MeshResult(const MeshOptions&)>& mesh) {
-  constexpr int kMostMeshes = 8;
+  constexpr int kMostMeshes = 10;
   const double target = options.target_elements;
   const MeshOptions whole = with_default_size(model, options);
   // A guess by volume first, so that no tree is far too large.
@@ -58,10 +64,15 @@ MeshResult mesh_to_target(const Model& model, const MeshOptions& options,
     if (miss(*best) < std::pair(false, kCloseEnough)) break;
     correction = std::log(count / estimated_elements(model, plan_sizes(model, sizes(x))));
     const double off = std::log(count / target);
-    const bool again =
-        std::any_of(tried.begin(), tried.end(), [off](const auto& one) { return one.second == off; });
-    if (again) break;  // the same octants: between these counts there is none
-    tried.emplace_back(x, off);
+    const auto again =
+        std::find_if(tried.begin(), tried.end(), [off](const auto& one) { return one.second == off; });
+    if (again == tried.end()) {
+      tried.emplace_back(x, off);
+    } else if (std::abs(x - again->first) < kSameOctants) {
+      break;  // between these counts there is none
+    } else {
+      again->first = x;  // the same octants up to here
+    }
     if (const auto between = crossing(tried)) x = *between;
   }
   return *std::move(best);
