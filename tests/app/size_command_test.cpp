@@ -145,6 +145,8 @@ TEST(SizeCommand, InfoTakesSizesOnlyToTellOfThem) {
   const ProgramRun run = run_octet({"info", box(), "--size", "4"});
   EXPECT_EQ(run.exit_code, kExitBadInput);
   EXPECT_NE(run.err.find("--size requires --sizes"), std::string::npos) << run.err;
+  const TemporaryDirectory out;
+  EXPECT_EQ(run_octet({"info", box(), "--write-field", out.file("b.vtu")}).exit_code, kExitBadInput);
 }
 
 TEST(SizeCommand, TargetElementsAreMetWithinFifteenPercent) {
