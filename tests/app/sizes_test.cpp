@@ -69,7 +69,7 @@ Mesh box_with(const std::vector<std::string>& wishes, double size) {
 void expect_median(const std::vector<double>& lengths, double size, const std::string& what) {
   ASSERT_FALSE(lengths.empty()) << what;
   EXPECT_NEAR(median(lengths) / size, 1.0, 0.25) << what;
-  EXPECT_LT(lengths.back(), 2.1 * size) << what;
+  EXPECT_LT(lengths.back(), 2.0 * size) << what;
 }
 
 /// Edges farther than `away` from what `distance` measures from.
