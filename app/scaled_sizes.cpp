@@ -25,7 +25,8 @@ MeshOptions scaled_sizes(const Model& model, const MeshOptions& options, double 
   MeshOptions scaled = options;
   scaled.target_elements = 0.0;
   scaled.size = scale * global_size(model, options);
-  scaled.max_size = 0.0;  // in the size already
+  scaled.max_size = 0.0;          // in the size already
+  scaled.suit_curvature = false;  // counts would jump with the phase of the octants' lengths
   scaled.region_scale *= scale;
   scaled.curvature_angle =
       std::min(scale * options.curvature_angle, std::max(options.curvature_angle, kWidestAngle));
@@ -70,7 +71,7 @@ MeshOptions with_default_size(const Model& model, const MeshOptions& options) {
     MeshOptions scaled = chosen;
     scaled.size = chosen.size * std::exp(log_scale);
     scaled.region_scale = chosen.region_scale * std::exp(log_scale);
-    scaled.suit_curvature = false;  // it would move the size by up to half an octant's level
+    scaled.suit_curvature = false;  // as in scaled_sizes()
     return scaled;
   };
   const double elements = estimated_elements(model, plan_sizes(model, chosen));

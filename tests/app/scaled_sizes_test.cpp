@@ -81,6 +81,13 @@ TEST(ScaledSizes, ASizeAskedForIsLeftAlone) {
   EXPECT_FALSE(with_default_size(analytic_ball(1.0, {{}, 1e-3}), options).suit_curvature);
 }
 
+TEST(ScaledSizes, OctantsOfScaledSizesSuitNoRadius) {
+  const Model model = rounded_box(2.0);
+  const MeshOptions unasked = with_default_size(model, {});
+  ASSERT_TRUE(unasked.suit_curvature);
+  EXPECT_FALSE(scaled_sizes(model, unasked, 1.1).suit_curvature);
+}
+
 TEST(ScaledSizes, OneElementMoreOnACircleIsNoCliff) {
   // Each of the wishes by itself would be met by octants of twice the length up to some number, and by the
   // next smaller ones from there on: four times as many on the fillets.
