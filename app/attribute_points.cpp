@@ -18,9 +18,8 @@
 namespace octet {
 namespace {
 
-/// Sheets closer than this share of the point's clearance get a partner; sheets enclose less than 45 degrees.
+/// Sheets closer than this share of the point's clearance get a partner.
 constexpr double kMatchShare = 0.9;
-constexpr double kFacing = -0.7;
 /// A partner this close to a point that is there already has its partner: the ball of that point.
 constexpr double kSamePoint = 0.25;
 /// Sheets on one another that get partners of one point.
@@ -272,7 +271,7 @@ class AttributeLoop {
       if (b->on.dim == 1) {
         match_on_edge({b->on.tag, model_.edge_closest(b->on.tag, b->point).t, b->point}, clearance,
                       sheets - 1);
-      } else if (b->normal.dot(normal) <= kFacing && match_on_face(b->on, b->point, clearance, at)) {
+      } else if (face_each_other(a, normal, *b) && match_on_face(b->on, b->point, clearance, at)) {
         match_sheets(b->point, b->on.tag, b->normal, clearance, sheets - 1);
       }
     }

@@ -9,9 +9,6 @@
 namespace octet {
 namespace {
 
-/// Sheets that enclose less than 45 degrees face each other.
-constexpr double kFacing = -0.7;
-
 struct FacePoint {
   Vec3 p;
   int face;
@@ -77,7 +74,7 @@ class FaceSeeder {
   [[nodiscard]] std::optional<FacePoint> partner(const FacePoint& a, const Vec3& normal, int side) const {
     const double reach = kMatchDistance * a.size;
     const std::optional<Foot> foot = opposite_point(model_, a.p, a.face, normal, side, reach);
-    if (!foot || foot->on.dim != 2 || foot->normal.dot(normal) > kFacing) return std::nullopt;
+    if (!foot || foot->on.dim != 2 || !face_each_other(a.p, normal, *foot)) return std::nullopt;
     return FacePoint{foot->point, foot->on.tag, a.size};
   }
 

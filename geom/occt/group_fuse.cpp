@@ -8,11 +8,13 @@
 #include <GProp_GProps.hxx>
 #include <Message_Alert.hxx>
 #include <Message_Report.hxx>
+#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopTools_ListOfShape.hxx>
 #include <TopTools_MapOfShape.hxx>
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <string_view>
@@ -81,22 +83,41 @@ class FaceSides {
   std::vector<std::vector<Side>> sides_;  ///< by index - 1
 };
 
-int count_thin_overlaps(const std::vector<std::vector<TopoDS_Shape>>& images, double thin) {
-  TopTools_IndexedDataMapOfShapeListOfShape owners;
-  for (const auto& own : images)
-    for (const TopoDS_Shape& image : own) {
-      if (!owners.Contains(image)) owners.Add(image, {});
-      owners.ChangeFromKey(image).Append(image);
-    }
-  int count = 0;
-  for (int i = 1; i <= owners.Extent(); ++i) {
-    if (owners(i).Extent() < 2) continue;
-    GProp_GProps volume, area;
-    BRepGProp::VolumeProperties(owners.FindKey(i), volume);
-    BRepGProp::SurfaceProperties(owners.FindKey(i), area);
-    count += 2.0 * std::abs(volume.Mass()) < thin * area.Mass() ? 1 : 0;
+/// The shapes of one type in the images of each solid, with the solids that have them.
+class Owners {
+ public:
+  Owners(const std::vector<std::vector<TopoDS_Shape>>& images, TopAbs_ShapeEnum type) {
+    for (std::size_t i = 0; i < images.size(); ++i)
+      for (const TopoDS_Shape& image : images[i])
+        for (TopExp_Explorer it(image, type); it.More(); it.Next()) {
+          const auto index = static_cast<std::size_t>(shapes_.Add(it.Current()));
+          if (index > of_.size()) of_.emplace_back();
+          if (of_[index - 1].empty() || of_[index - 1].back() != i) of_[index - 1].push_back(i);
+        }
   }
-  return count;
+  [[nodiscard]] std::size_t size() const { return of_.size(); }
+  [[nodiscard]] const TopoDS_Shape& shape(std::size_t k) const { return shapes_(static_cast<int>(k) + 1); }
+  [[nodiscard]] const std::vector<std::size_t>& of(std::size_t k) const { return of_[k]; }
+
+ private:
+  TopTools_IndexedMapOfShape shapes_;
+  std::vector<std::vector<std::size_t>> of_;
+};
+
+/// Twice the volume over the surface: of a plate that is its thickness.
+double thickness_of(const TopoDS_Shape& solid) {
+  GProp_GProps volume, area;
+  BRepGProp::VolumeProperties(solid, volume);
+  BRepGProp::SurfaceProperties(solid, area);
+  return 2.0 * std::abs(volume.Mass()) / area.Mass();
+}
+
+/// The edges that end at each vertex.
+TopTools_IndexedDataMapOfShapeListOfShape edges_of_vertices(const std::vector<TopoDS_Shape>& shapes) {
+  TopTools_IndexedDataMapOfShapeListOfShape edges;
+  for (const TopoDS_Shape& shape : shapes)
+    TopExp::MapShapesAndUniqueAncestors(shape, TopAbs_VERTEX, TopAbs_EDGE, edges);
+  return edges;
 }
 
 }  // namespace
@@ -113,7 +134,8 @@ GroupFuse::GroupFuse(const std::vector<TopoDS_Shape>& solids, double tolerance, 
   history_ = builder_.History();
   for (const TopoDS_Shape& solid : solids) images_.push_back(images_of(solid));
   find_conflicts(solids);
-  thin_overlaps_ = count_thin_overlaps(images_, thin);
+  count_thin_overlaps(thin);
+  find_pieces(solids);
 }
 
 std::vector<std::string> GroupFuse::warnings() const {
@@ -154,6 +176,34 @@ void GroupFuse::find_conflicts(const std::vector<TopoDS_Shape>& solids) {
     }
   }
   sides.find_conflicts(conflicts_);
+}
+
+void GroupFuse::count_thin_overlaps(double thin) {
+  const Owners owners(images_, TopAbs_SOLID);
+  for (std::size_t k = 0; k < owners.size(); ++k)
+    if (owners.of(k).size() > 1 && thickness_of(owners.shape(k)) < thin) ++thin_overlaps_;
+}
+
+// Surfaces that touch along a line meet nowhere or in places by rounding: the edges found there end nowhere.
+// Of two solids that one is to blame which shares fewer faces.
+void GroupFuse::find_pieces(const std::vector<TopoDS_Shape>& solids) {
+  std::vector<int> shared(images_.size(), 0);
+  const Owners faces(images_, TopAbs_FACE), edges(images_, TopAbs_EDGE);
+  for (std::size_t k = 0; k < faces.size(); ++k)
+    for (const std::size_t i : faces.of(k)) shared[i] += faces.of(k).size() > 1 ? 1 : 0;
+  std::vector<TopoDS_Shape> all;
+  for (const auto& own : images_) all.insert(all.end(), own.begin(), own.end());
+  const auto before = edges_of_vertices(solids), now = edges_of_vertices(all);
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    const std::array<std::size_t, 2> of{edges.of(k).front(), edges.of(k).back()};
+    bool ends = false;
+    for (TopExp_Explorer it(edges.shape(k), TopAbs_VERTEX); it.More(); it.Next())
+      ends = ends || (now.FindFromKey(it.Current()).Extent() == 1 && !before.Contains(it.Current()));
+    if (!ends) continue;
+    FuseConflict conflict{of, middle_of(edges.shape(k)), "they touch along a line that is found in pieces"};
+    if (shared[of[0]] != shared[of[1]]) conflict.solids.fill(shared[of[0]] < shared[of[1]] ? of[0] : of[1]);
+    conflicts_.push_back(conflict);
+  }
 }
 
 void GroupFuse::find_opening(std::size_t solid, const TopoDS_Shape& image) {

@@ -29,7 +29,8 @@ class GroupFuse {
 
   [[nodiscard]] bool failed() const { return failed_; }
   [[nodiscard]] bool sound() const { return !failed_ && conflicts_.empty(); }
-  /// Solids left open or without anything, two on one side of a face, faces of others inside of one.
+  /// Solids left open or without anything, two on one side of a face, faces of others inside of one, pieces
+  /// of a line along which two touch.
   [[nodiscard]] const std::vector<FuseConflict>& conflicts() const { return conflicts_; }
   [[nodiscard]] int thin_overlaps() const { return thin_overlaps_; }
   [[nodiscard]] double tolerance() const { return tolerance_; }
@@ -43,6 +44,8 @@ class GroupFuse {
   [[nodiscard]] std::vector<TopoDS_Shape> images_of(const TopoDS_Shape& solid) const;
   void find_conflicts(const std::vector<TopoDS_Shape>& solids);
   void find_opening(std::size_t solid, const TopoDS_Shape& image);
+  void count_thin_overlaps(double thin);
+  void find_pieces(const std::vector<TopoDS_Shape>& solids);
 
   double tolerance_;
   BOPAlgo_Builder builder_;

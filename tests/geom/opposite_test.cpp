@@ -36,6 +36,22 @@ TEST(Opposite, PlatePartnerIsStraightAcross) {
   }
 }
 
+TEST(Opposite, SheetsFaceEachOtherOnWhicheverSideTheirNormalsAre) {
+  const Model wedge = analytic_wedge(20.0 * std::numbers::pi / 180.0, 10, 10, {{}, 1e-2});
+  const Model blunt = analytic_wedge(60.0 * std::numbers::pi / 180.0, 10, 10, {{}, 1e-2});
+  for (const Model* model : {&wedge, &blunt}) {
+    const Start a = start_at(*model, Vec3(1, 0, 5));
+    const auto b = opposite_point(*model, a.point, a.face, a.normal, -1, 3.0);
+    ASSERT_TRUE(b.has_value());
+    Foot turned = *b;
+    turned.normal *= -1.0;
+    for (const Vec3& normal : {a.normal, Vec3(-a.normal)}) {
+      EXPECT_EQ(face_each_other(a.point, normal, *b), model == &wedge);
+      EXPECT_EQ(face_each_other(a.point, normal, turned), model == &wedge);
+    }
+  }
+}
+
 TEST(Opposite, WedgePartnerHasTheSameDistanceFromTheEdge) {
   const Frame frame = test::tilted_frame();
   for (const double degrees : {1.0, 5.0, 20.0, 60.0, 90.0}) {

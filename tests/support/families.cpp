@@ -168,6 +168,19 @@ TopoDS_Shape skewed_roof() {
   return BRepAlgoAPI_Common(block, box(0.5, 1.6, -3, 5, 3.2, 9)).Shape();
 }
 
+/// A thin solid between two others, as glue is.
+TopoDS_Shape layer(double thickness) {
+  return side_by_side(side_by_side(box(-1.2, 0, 0, 1.2, 1.5, 1.3), box(0, 0, 0, thickness, 1.5, 1.3)),
+                      box(thickness, 0, 0, 1.2, 1.5, 1.3));
+}
+
+/// A ball in a coat in a box.
+TopoDS_Shape coating(double thickness) {
+  const TopoDS_Shape outer = ball(0, 2.0 + thickness);
+  return side_by_side(side_by_side(ball(0, 2.0), cut(outer, ball(0, 2.0))),
+                      cut(box(-3, -3, -3, 6, 6, 6), outer));
+}
+
 }  // namespace
 
 std::vector<FamilyPart> family_parts() {
@@ -207,6 +220,9 @@ std::vector<FamilyPart> family_parts() {
   add("fillets_0_05", [] { return rounded_box(0.05); });
   add("boxes_at_an_edge", [] { return side_by_side(box(0, 0, 0, 2, 2, 2), box(2, 2, 0, 2, 2, 2)); });
   add("boxes_at_a_vertex", [] { return side_by_side(box(0, 0, 0, 2, 2, 2), box(2, 2, 2, 2, 2, 2)); });
+  for (const int per_mille : {100, 10})
+    add("layer_" + std::to_string(per_mille), [=] { return layer(1e-3 * per_mille); });
+  add("coating_0_01", [] { return coating(0.01); });
   add("small_void", [] { return cut(box(-2, -2, -2, 4, 4, 4), ball(0.37, 0.05)); });
   add("balls_at_a_point", [] { return side_by_side(cut(ball(0, 3), ball(1, 2)), ball(1, 2)); });
   return parts;

@@ -4,11 +4,20 @@
 
 #include <gtest/gtest.h>
 
+#include <BRepAlgoAPI_Cut.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRep_Builder.hxx>
+#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
+#include <TopTools_ListOfShape.hxx>
+#include <TopoDS.hxx>
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
+#include <cmath>
 
 #include "base/error.h"
 #include "geom/model_check.h"
@@ -71,6 +80,37 @@ TEST(Fuse, AThickerOverlapStaysARegion) {
   const Model model = model_from_shape(compound_of({box(0, 1), box(0.99, 2)}));
   ASSERT_EQ(model.count(3), 3);
   EXPECT_FALSE(has_note(model, "were fused with a tolerance of"));
+}
+
+/// Whether an edge of some solid has an end that no other edge has.
+bool has_loose_ends(const std::vector<TopoDS_Shape>& solids) {
+  TopTools_IndexedDataMapOfShapeListOfShape edges;
+  TopExp::MapShapesAndUniqueAncestors(compound_of(solids), TopAbs_VERTEX, TopAbs_EDGE, edges);
+  for (int v = 1; v <= edges.Extent(); ++v) {
+    const auto& edge = TopoDS::Edge(edges(v).First());
+    if (edges(v).Extent() == 1 && !TopExp::FirstVertex(edge).IsSame(TopExp::LastVertex(edge))) return true;
+  }
+  return false;
+}
+
+TEST(Fuse, SolidsThatTouchAlongALineShareNoPiecesOfIt) {
+  // Balls in a groove of their own radius touch it along circles, which the fuse finds here and there.
+  const gp_Ax2 groove(gp_Pnt(-62.3, -42.1, 0), gp_Dir(0, 1, 0), gp_Dir(1, 0, 0));
+  const TopoDS_Shape wheel = BRepPrimAPI_MakeCylinder(groove.Translated(gp_Vec(0, -3, 0)), 9.6, 6.0).Shape();
+  const TopoDS_Shape ring = BRepAlgoAPI_Cut(wheel, BRepPrimAPI_MakeTorus(groove, 9.6, 2.0).Shape()).Shape();
+  int kept = 0;
+  for (int i = 0; i < 6; ++i) {
+    const double angle = 0.5 + i;
+    const gp_Vec out =
+        std::cos(angle) * gp_Vec(groove.XDirection()) + std::sin(angle) * gp_Vec(groove.YDirection());
+    SolidSet set =
+        set_of({ring, BRepPrimAPI_MakeSphere(groove.Location().Translated(9.6 * out), 2.0).Shape()});
+    std::vector<KeptApart> apart;
+    fuse_touching(set, apart);
+    EXPECT_FALSE(has_loose_ends(set.solids)) << i;
+    for (const KeptApart& one : apart) kept += one.cause.find("along a line") != std::string::npos ? 1 : 0;
+  }
+  EXPECT_GT(kept, 0);
 }
 
 TEST(Fuse, ASolidKeptApartSharesNothing) {
