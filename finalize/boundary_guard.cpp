@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "base/check.h"
 #include "mesh/quality.h"
 #include "mesh/tet_mesh.h"
 
@@ -26,6 +27,11 @@ constexpr double kSagBound = 0.08;
 /// beside gently curved faces stay (0.01: 17 degrees in place of 21 on a plug of cylinders; 0.02: 14.8 in
 /// place of 15.8 on a mount).
 constexpr double kFlatSag = 0.03;
+/// What was farther from the face may get farther by this factor, up to that factor of the farthest that the
+/// face had at first. Where one element spans a fillet all edges across it are as far but for rounding and
+/// shear, and any nearer bound refuses half of all swaps there (a plug's rounded rim: 12 degrees in place of
+/// 31).
+constexpr double kFitGrowth = 1.05;
 /// Error allowed of a region's volume, as a share of it, or of the error that was there: where the chords of
 /// round faces alone err by more, any smaller bound would refuse half of all moves (a torus stayed at 18
 /// degrees in place of 29). A share of 2e-3 made no better shapes, and errors of 2.6e-4 grew to it.
@@ -42,6 +48,7 @@ BoundaryGuard::BoundaryGuard(const Model& model, const WorkMesh& mesh, std::span
     : model_(&model),
       planar_(static_cast<std::size_t>(model.count(2)) + 1, 0),
       plane_normal_(planar_.size(), Vec3::Zero()),
+      at_first_(planar_.size()),
       on_face_(mesh.points.size()),
       on_face_known_(mesh.points.size(), 0),
       parameter_(mesh.points.size(), 0.0),
@@ -66,6 +73,22 @@ BoundaryGuard::BoundaryGuard(const Model& model, const WorkMesh& mesh, std::span
                            kVolumeGrowth * std::abs(volume_[r] - exact_volume_[r]));
   }
   seat_all(mesh);
+  measure_faces(mesh);
+}
+
+void BoundaryGuard::measure_faces(const WorkMesh& mesh) {
+  for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
+    const TetId t(i);
+    if (!mesh.alive(t)) continue;
+    for (int f = 0; f < 4; ++f) {
+      const int face = std::abs(mesh.face_on[t][f]);
+      if (face == 0 || planar(face)) continue;
+      std::array<VertexId, 3> v;
+      for (int c = 0; c < 3; ++c) v[c] = mesh.tets[t][kTetFace[f][c]];
+      if (mesh.face_on[t][f] < 0) std::swap(v[1], v[2]);
+      at_first_[static_cast<std::size_t>(face)].add(fit(mesh, face, v));
+    }
+  }
 }
 
 Seat BoundaryGuard::project(const WorkMesh& mesh, VertexId v, int face) const {
@@ -108,19 +131,23 @@ Seat BoundaryGuard::seat(const WorkMesh& mesh, VertexId v, int face) const {
 
 void BoundaryGuard::set_seat(const WorkMesh& mesh, VertexId v, int face, const Seat& seat) {
   if (mesh.on[v].dim != 2) {
-    on_rim_.insert_or_assign(rim_key(v, face), seat);
+    const auto [it, fresh] = on_rim_.try_emplace(rim_key(v, face));
+    if (journal_.open) journal_.on_rim.push_back({it->first, !fresh, it->second});
+    it->second = seat;
     return;
   }
   if (v.index() >= on_face_.size()) {
     on_face_.resize(v.index() + 1);
     on_face_known_.resize(v.index() + 1, 0);
   }
+  if (journal_.open && on_face_known_[v.index()]) journal_.on_face.emplace_back(v, on_face_[v.index()]);
   on_face_[v.index()] = seat;
   on_face_known_[v.index()] = 1;
 }
 
 void BoundaryGuard::set_parameter(VertexId v, double t) {
   if (v.index() >= parameter_.size()) parameter_.resize(v.index() + 1, 0.0);
+  if (journal_.open) journal_.parameter.emplace_back(v, parameter_[v.index()]);
   parameter_[v.index()] = t;
 }
 
@@ -130,8 +157,11 @@ Fit BoundaryGuard::fit(const WorkMesh& mesh, int face, const std::array<VertexId
     const Vec3& n = plane_normal_[static_cast<std::size_t>(face)];
     return fit(points, {n, n, n});
   }
-  return fit(points,
-             {seat(mesh, v[0], face).normal, seat(mesh, v[1], face).normal, seat(mesh, v[2], face).normal});
+  Fit result = fit(
+      points, {seat(mesh, v[0], face).normal, seat(mesh, v[1], face).normal, seat(mesh, v[2], face).normal});
+  result.turn_at_first = at_first_[static_cast<std::size_t>(face)].turn;
+  result.sag_at_first = at_first_[static_cast<std::size_t>(face)].sag;
+  return result;
 }
 
 Fit BoundaryGuard::fit(const std::array<Vec3, 3>& points, const std::array<Vec3, 3>& normals) {
@@ -158,7 +188,11 @@ Fit BoundaryGuard::fit(const std::array<Vec3, 3>& points, const std::array<Vec3,
 
 Fit BoundaryGuard::bound(const Fit& before, double size) {
   const double chord = std::clamp(before.bend * size * size / 8.0, kFlatSag * size, kSagBound * size);
-  return {std::max(before.turn, kTurnBound), std::max(before.sag, chord), 0.0};
+  const auto grown = [](double from, double at_first) {
+    return std::max(from, kFitGrowth * std::min(from, at_first));
+  };
+  return {std::max(grown(before.turn, before.turn_at_first), kTurnBound),
+          std::max(grown(before.sag, before.sag_at_first), chord)};
 }
 
 bool BoundaryGuard::admits(std::span<const VolumeChange> changes) const {
@@ -171,7 +205,39 @@ bool BoundaryGuard::admits(std::span<const VolumeChange> changes) const {
 }
 
 void BoundaryGuard::take(std::span<const VolumeChange> changes) {
-  for (const VolumeChange& c : changes) volume_[static_cast<std::size_t>(c.region)] += c.change;
+  for (const VolumeChange& c : changes) {
+    const std::size_t r = static_cast<std::size_t>(c.region);
+    if (journal_.open) journal_.volume.emplace_back(r, volume_[r]);
+    volume_[r] += c.change;
+  }
+}
+
+void BoundaryGuard::open_journal(std::size_t vertices) {
+  OCTET_CHECK(!journal_.open);
+  journal_.open = true;
+  journal_.vertices = vertices;
+  journal_.on_face.clear();
+  journal_.on_rim.clear();
+  journal_.parameter.clear();
+  journal_.volume.clear();
+}
+
+void BoundaryGuard::take_back() {
+  OCTET_CHECK(journal_.open);
+  journal_.open = false;
+  for (auto s = journal_.on_face.rbegin(); s != journal_.on_face.rend(); ++s)
+    on_face_[s->first.index()] = s->second;
+  for (std::size_t i = journal_.vertices; i < on_face_known_.size(); ++i) on_face_known_[i] = 0;
+  for (auto s = journal_.on_rim.rbegin(); s != journal_.on_rim.rend(); ++s) {
+    if (s->known) {
+      on_rim_[s->key] = s->seat;
+    } else {
+      on_rim_.erase(s->key);
+    }
+  }
+  for (auto p = journal_.parameter.rbegin(); p != journal_.parameter.rend(); ++p)
+    parameter_[p->first.index()] = p->second;
+  for (auto v = journal_.volume.rbegin(); v != journal_.volume.rend(); ++v) volume_[v->first] = v->second;
 }
 
 }  // namespace octet

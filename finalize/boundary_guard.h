@@ -24,11 +24,14 @@ struct Fit {
                       ///< vertices; 2 for a triangle without area
   double sag = 0.0;   ///< largest estimated distance of an edge's middle or the centroid to the face
   double bend = 0.0;  ///< largest curvature along an edge, 1/length; not a defect, but what sagittae come of
+  double turn_at_first = 0.0, sag_at_first = 0.0;  ///< the largest that the model face had in the mesh given
 
   void add(const Fit& other) {
     turn = std::max(turn, other.turn);
     sag = std::max(sag, other.sag);
     bend = std::max(bend, other.bend);
+    turn_at_first = std::max(turn_at_first, other.turn_at_first);
+    sag_at_first = std::max(sag_at_first, other.sag_at_first);
   }
 };
 
@@ -64,8 +67,9 @@ class BoundaryGuard {
   /// The same for a vertex at another place.
   [[nodiscard]] static Fit fit(const std::array<Vec3, 3>& points, const std::array<Vec3, 3>& normals);
 
-  /// The worst that triangles made from ones of fit `before` may have, where the local size is `size`: as
-  /// far from the face as before, or as an edge of that size is at the curvature there.
+  /// The worst that triangles made from ones of fit `before` may have, where the local size is `size`: as far
+  /// from the face as before or a twentieth more, as long as the face had such at first, or as an edge of
+  /// that size is at the curvature there.
   [[nodiscard]] static Fit bound(const Fit& before, double size);
   [[nodiscard]] static bool within(const Fit& fit, const Fit& bound) {
     return fit.turn <= bound.turn && fit.sag <= bound.sag;
@@ -76,18 +80,42 @@ class BoundaryGuard {
   [[nodiscard]] bool admits(std::span<const VolumeChange> changes) const;
   void take(std::span<const VolumeChange> changes);
 
+  /// What is set and taken from here on can be taken back, until the journal is closed; vertices from number
+  /// `vertices` on are new then.
+  void open_journal(std::size_t vertices);
+  void close_journal() { journal_.open = false; }
+  void take_back();
+
  private:
+  /// What was there before, in the order of the changes.
+  struct Journal {
+    struct OnRim {
+      std::uint64_t key;
+      bool known;
+      Seat seat;
+    };
+    bool open = false;
+    std::size_t vertices = 0;
+    std::vector<std::pair<VertexId, Seat>> on_face;
+    std::vector<OnRim> on_rim;
+    std::vector<std::pair<VertexId, double>> parameter;
+    std::vector<std::pair<std::size_t, double>> volume;
+  };
+
   void seat_all(const WorkMesh& mesh);
+  void measure_faces(const WorkMesh& mesh);
   [[nodiscard]] Seat project(const WorkMesh& mesh, VertexId v, int face) const;
 
   const Model* model_;
   std::vector<char> planar_;                        ///< per face tag
   std::vector<Vec3> plane_normal_;                  ///< per face tag
+  std::vector<Fit> at_first_;                       ///< per face tag: the worst of its triangles
   std::vector<Seat> on_face_;                       ///< per vertex: of vertices inside a face
   std::vector<char> on_face_known_;                 ///< per vertex
   std::unordered_map<std::uint64_t, Seat> on_rim_;  ///< (vertex, face): of vertices on edges; looked up only
   std::vector<double> parameter_;                   ///< per vertex: of vertices on edges
   std::vector<double> volume_, exact_volume_, allowed_;  ///< per region tag
+  Journal journal_;
 };
 
 }  // namespace octet

@@ -159,6 +159,8 @@ TetId allocate_tet(WorkMesh& mesh) {
   if (!mesh.free_tets.empty()) {
     const TetId t = mesh.free_tets.back();
     mesh.free_tets.pop_back();
+    if (mesh.journal.open) mesh.journal.free_tets.emplace_back(t, false);
+    keep_in_journal(mesh, t);
     return t;
   }
   mesh.tets.push_back({});
@@ -171,8 +173,10 @@ TetId allocate_tet(WorkMesh& mesh) {
 
 void make_tets(WorkMesh& mesh, const CavityChange& change, std::vector<TetId>& made) {
   for (auto t = change.removed.rbegin(); t != change.removed.rend(); ++t) {
+    keep_in_journal(mesh, *t);
     mesh.tets[*t][0] = VertexId();
     mesh.free_tets.push_back(*t);
+    if (mesh.journal.open) mesh.journal.free_tets.emplace_back(*t, true);
   }
   for (const NewTet& tet : change.added) {
     const TetId t = allocate_tet(mesh);
@@ -185,6 +189,11 @@ void make_tets(WorkMesh& mesh, const CavityChange& change, std::vector<TetId>& m
   }
 }
 
+void set_tet_of(WorkMesh& mesh, VertexId v, TetId t) {
+  keep_in_journal(mesh, v);
+  mesh.tet_of[v] = t;
+}
+
 void link_faces(WorkMesh& mesh, const std::vector<Match>& matches, const std::vector<TetId>& made) {
   for (const Match& match : matches) {
     TetId inner, outer;
@@ -192,6 +201,7 @@ void link_faces(WorkMesh& mesh, const std::vector<Match>& matches, const std::ve
     if (match.outer != nullptr && match.outer->added) outer = made[match.outer->tet];
     if (match.outer != nullptr && !match.outer->added && match.outer->tet != TetId::kInvalid) {
       outer = TetId(match.outer->tet);
+      keep_in_journal(mesh, outer);
     }
     if (inner.valid()) {
       mesh.neighbours[inner][match.inner->face] = outer;
@@ -200,11 +210,11 @@ void link_faces(WorkMesh& mesh, const std::vector<Match>& matches, const std::ve
     if (outer.valid()) {
       mesh.neighbours[outer][match.outer->face] = inner;
       mesh.face_on[outer][match.outer->face] = -match.tag;
-      for (const VertexId v : match.outer->key) mesh.tet_of[v] = outer;
+      for (const VertexId v : match.outer->key) set_tet_of(mesh, v, outer);
     }
   }
   for (const TetId t : made) {
-    for (const VertexId v : mesh.tets[t]) mesh.tet_of[v] = t;
+    for (const VertexId v : mesh.tets[t]) set_tet_of(mesh, v, t);
   }
 }
 
@@ -221,7 +231,7 @@ bool replace_cavity(WorkMesh& mesh, const CavityChange& change, std::vector<TetI
       !vertices_survive(mesh, change, matches) || !all_positive(mesh, change.added)) {
     return false;
   }
-  if (change.removed_vertex.valid()) mesh.tet_of[change.removed_vertex] = TetId();
+  if (change.removed_vertex.valid()) set_tet_of(mesh, change.removed_vertex, TetId());
   make_tets(mesh, change, made);
   link_faces(mesh, matches, made);
   for (const auto& [a, b] : change.removed_pieces) remove_piece(mesh, a, b);
@@ -270,7 +280,11 @@ bool move_vertex(WorkMesh& mesh, VertexId v, const Vec3& place, std::span<const 
       return false;
     }
   }
-  for (std::size_t i = 0; i < star.size(); ++i) mesh.quality[star[i]] = shapes[i];
+  if (mesh.journal.open) mesh.journal.vertices.push_back({v, before, mesh.tet_of[v]});
+  for (std::size_t i = 0; i < star.size(); ++i) {
+    keep_in_journal(mesh, star[i]);
+    mesh.quality[star[i]] = shapes[i];
+  }
   return true;
 }
 

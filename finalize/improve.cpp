@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "finalize/collapse.h"
+#include "finalize/compound.h"
 #include "finalize/edge_removal.h"
 #include "finalize/face_swap.h"
 #include "finalize/shape.h"
@@ -104,15 +105,10 @@ bool split_some_edge(Workshop& shop, TetId t) {
   const auto edges = edges_by_length(shop.mesh, t);
   for (auto edge = edges.rbegin(); edge != edges.rend(); ++edge) {
     const int e = edge->second;
-    if (split_edge(shop, t, v[kTetEdge[e][0]], v[kTetEdge[e][1]], better_than(shop.mesh.quality[t])))
-      return true;
+    const double floor = better_than(shop.mesh.quality[t]);
+    if (split_edge(shop, t, v[kTetEdge[e][0]], v[kTetEdge[e][1]], floor, 2.0 * floor)) return true;
   }
   return false;
-}
-
-bool improve_tet(Workshop& shop, TetId t, double goal, Effort effort) {
-  if (remove_best_edge(shop, t) || swap_some_face(shop, t) || smooth_corners(shop, t, goal)) return true;
-  return effort == Effort::kFull && (collapse_some_edge(shop, t) || split_some_edge(shop, t));
 }
 
 bool budget_spent(Workshop& shop) {
@@ -160,6 +156,12 @@ double collapse_floor(Workshop& shop, VertexId a, std::vector<TetId>& tets) {
 }
 
 }  // namespace
+
+bool improve_tet(Workshop& shop, TetId t, double goal, Effort effort) {
+  if (remove_best_edge(shop, t) || swap_some_face(shop, t) || smooth_corners(shop, t, goal)) return true;
+  return effort == Effort::kFull &&
+         (collapse_some_edge(shop, t) || split_some_edge(shop, t) || improve_by_compound(shop, t, goal));
+}
 
 void collapse_short_edges(Workshop& shop) {
   WorkMesh& mesh = shop.mesh;

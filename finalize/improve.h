@@ -14,8 +14,11 @@ void collapse_short_edges(Workshop& shop);
 /// Which operators a pass may use.
 enum class Effort {
   kPolish,  ///< edge removal, face swaps and smoothing
-  kFull,    ///< also collapses and splits
+  kFull,    ///< also collapses, splits and compound moves
 };
+
+/// Applies the first operator that betters t; false when none does.
+bool improve_tet(Workshop& shop, TetId t, double goal, Effort effort);
 
 /// Takes the tetrahedra below `goal` (a shape) worst first, and the ones that come of them, and applies the
 /// first operator that betters each [Handbook 15.6.3]. Returns the number of operations done; stops when the

@@ -124,7 +124,7 @@ bool commit_split(Workshop& shop, const EdgeRing& ring, const LocalStar& star, c
 
 }  // namespace
 
-bool split_edge(Workshop& shop, TetId t, VertexId a, VertexId b, double floor) {
+bool split_edge(Workshop& shop, TetId t, VertexId a, VertexId b, double floor, double goal) {
   if (shop.mesh.frozen[a] || shop.mesh.frozen[b]) return false;
   const Vec3 middle = 0.5 * (shop.mesh.points[a] + shop.mesh.points[b]);
   // Halves that would count as nicks: splitting them again and again gains angles in thin walls, not
@@ -139,7 +139,7 @@ bool split_edge(Workshop& shop, TetId t, VertexId a, VertexId b, double floor) {
   const Stand from = seeds_of(shop, ring, star, middle);
   Stand stand;
   double worst = probe(shop, star, from, middle, {0.0, std::numeric_limits<double>::infinity()}, stand);
-  if (worst > 0.0) worst = raise_worst(shop, star, stand, worst, 2.0 * floor);
+  if (worst > 0.0) worst = raise_worst(shop, star, stand, worst, goal);
   shop.work += star.work;
   return worst > floor && commit_split(shop, ring, star, stand);
 }

@@ -7,7 +7,7 @@
 namespace octet {
 
 /// Splits edge ab of tetrahedron t if the worst shape around it gets better than `floor`. The new vertex lies
-/// on the model entity that the edge lies on.
-bool split_edge(Workshop& shop, TetId t, VertexId a, VertexId b, double floor);
+/// on the model entity that the edge lies on, and is moved until that shape is `goal`, or the best.
+bool split_edge(Workshop& shop, TetId t, VertexId a, VertexId b, double floor, double goal);
 
 }  // namespace octet

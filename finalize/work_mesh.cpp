@@ -118,6 +118,23 @@ const std::array<int, 2>& even_rest(const WorkMesh& mesh, TetId t, VertexId a, V
   return kEvenRest[corner_of(mesh, t, a)][corner_of(mesh, t, b)];
 }
 
+void resize_tets(WorkMesh& mesh, std::size_t count) {
+  mesh.tets.resize(count);
+  mesh.neighbours.resize(count);
+  mesh.face_on.resize(count);
+  mesh.region.resize(count);
+  mesh.quality.resize(count);
+  mesh.tet_mark.resize(count);
+}
+
+void resize_vertices(WorkMesh& mesh, std::size_t count) {
+  mesh.points.resize(count);
+  mesh.on.resize(count);
+  mesh.tet_of.resize(count);
+  mesh.frozen.resize(count);
+  mesh.vertex_mark.resize(count);
+}
+
 }  // namespace
 
 std::int32_t piece_on(const WorkMesh& mesh, VertexId a, VertexId b) {
@@ -133,13 +150,62 @@ void add_piece(WorkMesh& mesh, VertexId a, VertexId b, std::int32_t signed_tag) 
   const std::size_t tag = static_cast<std::size_t>(std::abs(signed_tag));
   if (mesh.pieces_on_edge.size() <= tag) mesh.pieces_on_edge.resize(tag + 1, 0);
   ++mesh.pieces_on_edge[tag];
+  if (mesh.journal.open) mesh.journal.pieces.push_back({a, b, signed_tag, true});
 }
 
 void remove_piece(WorkMesh& mesh, VertexId a, VertexId b) {
   const auto it = mesh.pieces.find(piece_key(a, b));
   OCTET_CHECK(it != mesh.pieces.end());
   --mesh.pieces_on_edge[static_cast<std::size_t>(std::abs(it->second))];
+  if (mesh.journal.open) mesh.journal.pieces.push_back({a, b, a < b ? it->second : -it->second, false});
   mesh.pieces.erase(it);
+}
+
+void open_journal(WorkMesh& mesh) {
+  Journal& journal = mesh.journal;
+  OCTET_CHECK(!journal.open);
+  journal.tets.clear();
+  journal.vertices.clear();
+  journal.pieces.clear();
+  journal.free_tets.clear();
+  journal.tet_count = mesh.tets.size();
+  journal.vertex_count = mesh.points.size();
+  journal.open = true;
+}
+
+void close_journal(WorkMesh& mesh) { mesh.journal.open = false; }
+
+void take_back(WorkMesh& mesh) {
+  Journal& journal = mesh.journal;
+  OCTET_CHECK(journal.open);
+  journal.open = false;
+  for (auto p = journal.pieces.rbegin(); p != journal.pieces.rend(); ++p) {
+    if (p->added) {
+      remove_piece(mesh, p->from, p->to);
+    } else {
+      add_piece(mesh, p->from, p->to, p->signed_tag);
+    }
+  }
+  for (auto s = journal.free_tets.rbegin(); s != journal.free_tets.rend(); ++s) {
+    if (s->second) {
+      mesh.free_tets.pop_back();
+    } else {
+      mesh.free_tets.push_back(s->first);
+    }
+  }
+  for (auto t = journal.tets.rbegin(); t != journal.tets.rend(); ++t) {
+    mesh.tets[t->tet] = t->vertices;
+    mesh.neighbours[t->tet] = t->neighbours;
+    mesh.face_on[t->tet] = t->face_on;
+    mesh.region[t->tet] = t->region;
+    mesh.quality[t->tet] = t->quality;
+  }
+  for (auto v = journal.vertices.rbegin(); v != journal.vertices.rend(); ++v) {
+    mesh.points[v->vertex] = v->point;
+    mesh.tet_of[v->vertex] = v->tet_of;
+  }
+  resize_tets(mesh, journal.tet_count);
+  resize_vertices(mesh, journal.vertex_count);
 }
 
 WorkMesh to_work_mesh(const Mesh& mesh, std::size_t fixed) {

@@ -12,6 +12,7 @@
 #include "base/ids.h"
 #include "base/model_ref.h"
 #include "base/vec.h"
+#include "finalize/journal.h"
 #include "mesh/mesh.h"
 #include "mesh/tet_mesh.h"
 
@@ -59,7 +60,25 @@ struct WorkMesh {
   IdVector<TetId, std::uint32_t> tet_mark;
   IdVector<VertexId, std::uint32_t> vertex_mark;
   std::uint32_t epoch = 0;
+
+  Journal journal;
 };
+
+/// To be called before the slot is changed: keeps what it holds while the journal is open.
+inline void keep_in_journal(WorkMesh& mesh, TetId t) {
+  if (!mesh.journal.open) return;
+  mesh.journal.tets.push_back(
+      {t, mesh.tets[t], mesh.neighbours[t], mesh.face_on[t], mesh.region[t], mesh.quality[t]});
+}
+inline void keep_in_journal(WorkMesh& mesh, VertexId v) {
+  if (mesh.journal.open) mesh.journal.vertices.push_back({v, mesh.points[v], mesh.tet_of[v]});
+}
+/// Opens the journal; requires it closed.
+void open_journal(WorkMesh& mesh);
+/// Closes it; what was done stays.
+void close_journal(WorkMesh& mesh);
+/// Closes it; the mesh is as it was when it was opened, but for marks of walks.
+void take_back(WorkMesh& mesh);
 
 [[nodiscard]] inline std::uint64_t piece_key(VertexId a, VertexId b) {
   const std::uint64_t lo = a < b ? a.index() : b.index(), hi = a < b ? b.index() : a.index();

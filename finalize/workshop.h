@@ -35,6 +35,7 @@ struct Workshop {
   /// last tried in vain. What has not changed since is not tried again.
   std::vector<std::uint32_t> touched, tried;
   std::uint32_t serial = 0;
+  std::vector<std::uint8_t> in_vain;  ///< compound moves tried in vain at tetrahedra of the vertex
 
   std::chrono::steady_clock::time_point started = std::chrono::steady_clock::now();
 

@@ -177,7 +177,7 @@ TEST(Split, PutsTheNewVertexOnTheEntityOfTheEdge) {
     if (!bench.shop.mesh.alive(t)) continue;
     const auto v = bench.shop.mesh.tets[t];
     for (const auto& e : kTetEdge) {
-      if (!split_edge(bench.shop, t, v[e[0]], v[e[1]], 1e-6)) continue;
+      if (!split_edge(bench.shop, t, v[e[0]], v[e[1]], 1e-6, 2e-6)) continue;
       ++on[bench.shop.mesh.on[VertexId(bench.shop.mesh.points.size() - 1)].dim];
       ASSERT_EQ(bench.faults(), "");
       break;
@@ -192,7 +192,7 @@ TEST(Split, PutsTheNewVertexOnTheEntityOfTheEdge) {
 TEST(Split, MakesNoNicks) {
   Bench bench(testing::cylinder_part(4), 10.0);
   const auto v = bench.shop.mesh.tets[TetId(0)];
-  EXPECT_FALSE(split_edge(bench.shop, TetId(0), v[0], v[1], -1.0));
+  EXPECT_FALSE(split_edge(bench.shop, TetId(0), v[0], v[1], -1.0, 0.0));
 }
 
 TEST(Smooth, NeverLowersTheWorstOfTheStarAndStaysOnTheEntity) {
