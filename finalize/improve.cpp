@@ -36,6 +36,13 @@ bool touches_boundary(const WorkMesh& mesh, TetId t) {
                      [&](VertexId v) { return mesh.on_boundary(v); });
 }
 
+/// Whether t is below `goal`, or, where it does not touch the boundary, below what the interior is left at.
+bool falls_short(const Workshop& shop, TetId t, double goal) {
+  const double quality = shop.mesh.quality[t];
+  return quality < goal &&
+         (touches_boundary(shop.mesh, t) || quality < shape_of_angle(shop.options.leave_interior));
+}
+
 double worst_quality(const WorkMesh& mesh, const std::vector<TetId>& tets) {
   double worst = 1.0;
   for (const TetId t : tets) worst = std::min(worst, mesh.quality[t]);
@@ -199,7 +206,7 @@ void relax_around(Workshop& shop, double goal, double wish) {
   std::vector<TetId> tets;
   for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
     const TetId t(i);
-    if (!mesh.alive(t) || mesh.quality[t] >= goal_of(shop, t, goal)) continue;
+    if (!mesh.alive(t) || !falls_short(shop, t, goal)) continue;
     for (const VertexId v : mesh.tets[t]) {
       star(mesh, v, tets);
       for (const TetId s : tets) near.insert(near.end(), mesh.tets[s].begin(), mesh.tets[s].end());
@@ -215,17 +222,12 @@ void relax_around(Workshop& shop, double goal, double wish) {
 
 void forget_failures(Workshop& shop) { shop.tried.clear(); }
 
-double goal_of(const Workshop& shop, TetId t, double goal) {
-  if (touches_boundary(shop.mesh, t)) return goal;
-  return std::min(goal, shape_of_angle(shop.options.leave_interior));
-}
-
 std::size_t improve_worst_first(Workshop& shop, double goal, Effort effort, Observer& observer) {
   const WorkMesh& mesh = shop.mesh;
   std::priority_queue<Candidate> queue;
   for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
     const TetId t(i);
-    if (mesh.alive(t) && mesh.quality[t] < goal_of(shop, t, goal)) queue.push({mesh.quality[t], t});
+    if (mesh.alive(t) && falls_short(shop, t, goal)) queue.push({mesh.quality[t], t});
   }
   std::size_t done = 0, taken = 0;
   while (!queue.empty() && !budget_spent(shop)) {
@@ -241,7 +243,7 @@ std::size_t improve_worst_first(Workshop& shop, double goal, Effort effort, Obse
     ++done;
     note_change(shop);
     for (const TetId t : shop.made) {
-      if (mesh.quality[t] < goal_of(shop, t, goal)) queue.push({mesh.quality[t], t});
+      if (falls_short(shop, t, goal)) queue.push({mesh.quality[t], t});
     }
   }
   return done;

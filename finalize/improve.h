@@ -32,7 +32,4 @@ void relax_around(Workshop& shop, double goal, double wish);
 /// Lets improve_worst_first try everything again.
 void forget_failures(Workshop& shop);
 
-/// The shape that finalization works towards for t: `goal`, less for those that do not touch the boundary.
-[[nodiscard]] double goal_of(const Workshop& shop, TetId t, double goal);
-
 }  // namespace octet

@@ -24,33 +24,19 @@ constexpr std::size_t kMaxActive = 24;
 /// What only the worst is asked of.
 StarMeasure above(double worst) { return {worst, std::numeric_limits<double>::infinity()}; }
 
-double signed_root(double square) { return square < 0.0 ? -std::sqrt(-square) : std::sqrt(square); }
-
-/// Gradients, by central differences, of the roots of the merits that are nearly the worst at `place`, where
-/// the star was measured last. Roots (sines), not the merits: a square is flat where the tetrahedron is flat.
+/// Gradients of the roots of the merits that are nearly the worst at `place`, where the star was measured
+/// last.
 void active_gradients(LocalStar& star, const Vec3& place, double worst, std::vector<Vec3>& gradients) {
   gradients.clear();
-  const double limit = std::max(worst * kNearlyWorst * kNearlyWorst, 1e-8);
-  const double step = 1e-5 * star.length;
+  const double limit = std::max(worst * kNearlyWorst * kNearlyWorst, 1e-8), root = std::sqrt(limit);
   const double* shapes = star.bases.shapes();
   for (std::size_t i = 0; i < star.bases.size(); ++i) {
     if (shapes[i] > limit) continue;
     const auto base = star.bases[i];
-    const auto at = [&](const Vec3& p) { return merits_of_shape(base[0], base[1], base[2], p); };
-    const auto squares = at(place);
-    std::array<decltype(at(place)), 3> ahead, behind;
-    for (int axis = 0; axis < 3; ++axis) {
-      const Vec3 offset = step * Vec3::Unit(axis);
-      ahead[axis] = at(place + offset);
-      behind[axis] = at(place - offset);
-    }
-    star.work += 8;
-    for (int e = 0; e < 7 && gradients.size() < kMaxActive; ++e) {
-      if (squares[e] > limit) continue;
-      Vec3& gradient = gradients.emplace_back();
-      for (int axis = 0; axis < 3; ++axis)
-        gradient[axis] = (signed_root(ahead[axis][e]) - signed_root(behind[axis][e])) / (2.0 * step);
-    }
+    const RootMerits merits = root_merits(base[0], base[1], base[2], place);
+    star.work += 2;
+    for (int e = 0; e < 7 && gradients.size() < kMaxActive; ++e)
+      if (merits.value[e] <= root) gradients.push_back(merits.gradient[e]);
   }
 }
 

@@ -305,7 +305,8 @@ TEST(Finalize, LeavesBelowTheTargetOnlyWhatThePartForbids) {
   std::size_t below = 0;
   for (const auto& v : part.mesh.tets) {
     const auto& p = part.mesh.points;
-    if (dihedral_range(p[v[0]], p[v[1]], p[v[2]], p[v[3]]).smallest >= 20.0 * kDegree) continue;
+    if (dihedral_range(p[v[0]], p[v[1]], p[v[2]], p[v[3]]).smallest >= FinalizeOptions{}.target_dihedral)
+      continue;
     ++below;
     EXPECT_TRUE(touches(v, forbidding));
   }

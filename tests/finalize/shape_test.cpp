@@ -50,6 +50,29 @@ TEST(Shape, OfANeedleIsBadThoughItsAnglesAreGood) {
   EXPECT_LT(shape(a, b, c, d), 0.05);
 }
 
+TEST(Shape, RootsOfTheMeritsHaveTheGradientsThatDifferencesTell) {
+  testing::Dice dice(11);
+  const auto random = [&] {
+    const double x = dice.roll(), y = dice.roll(), z = dice.roll();
+    return Vec3(x, y, z);
+  };
+  for (int i = 0; i < 50; ++i) {
+    const Vec3 a = random(), b = random(), c = random(), d = random();
+    if (std::abs(signed_volume(a, b, c, d)) < 1e-3) continue;
+    const auto squares = merits_of_shape(a, b, c, d);
+    const RootMerits roots = root_merits(a, b, c, d);
+    for (std::size_t e = 0; e < 7; ++e) {
+      EXPECT_NEAR(roots.value[e] * std::abs(roots.value[e]), squares[e], 1e-12);
+      for (int axis = 0; axis < 3; ++axis) {
+        const Vec3 offset = 1e-6 * Vec3::Unit(axis);
+        const double rise =
+            root_merits(a, b, c, d + offset).value[e] - root_merits(a, b, c, d - offset).value[e];
+        EXPECT_NEAR(roots.gradient[e][axis], rise / 2e-6, 1e-4 * (1.0 + std::abs(rise / 2e-6)));
+      }
+    }
+  }
+}
+
 TEST(Shape, ListsSinesInTheOrderOfTheEdges) {
   const Vec3 p[4] = {{0, 0, 0}, {1, 0.1, 0}, {0.2, 1, 0.1}, {0.3, 0.3, 0.4}};
   const auto squares = merits_of_shape(p[0], p[1], p[2], p[3]);
