@@ -84,15 +84,16 @@ void Attempt::forget_band() {
   split.band = {};
 }
 
-void cut_tree(Attempt& attempt, const Model& model) {
+void cut_tree(Attempt& attempt, const Model& model, const std::function<bool()>& cancelled) {
   attempt.vertices = octree_vertices(attempt.tree);
   const OctantTypes types = octant_types(model, attempt.tree);
-  attempt.cuts = cut_octant_edges(model, attempt.tree, attempt.vertices, types);
+  attempt.cuts = cut_octant_edges(model, attempt.tree, attempt.vertices, types, cancelled);
   attempt.labels = label_vertices(model, attempt.tree, attempt.vertices, types, attempt.cuts);
 }
 
-void place_points(Attempt& attempt, const Model& model, double size) {
-  attempt.seeds = seed_points(model, attempt.tree, attempt.vertices, attempt.labels, attempt.cuts, size);
+void place_points(Attempt& attempt, const Model& model, double size, const std::function<bool()>& cancelled) {
+  attempt.seeds =
+      seed_points(model, attempt.tree, attempt.vertices, attempt.labels, attempt.cuts, size, cancelled);
   attempt.split = split_interior(model, attempt.tree, attempt.vertices, attempt.labels, attempt.seeds, size);
 }
 

@@ -184,11 +184,11 @@ class Run {
   [[nodiscard]] std::unique_ptr<Attempt> attempt(Octree tree) {
     auto next = std::make_unique<Attempt>(std::move(tree));
     begin("cuts", 0.1);
-    cut_tree(*next, model_);
+    cut_tree(*next, model_, options_.cancelled);
     for (const Fault& fault : next->labels.conflicts) observer_.note("parity: " + fault.cause);
     check_limit(*next);
     begin("points", 0.2);
-    place_points(*next, model_, octant_);
+    place_points(*next, model_, octant_, options_.cancelled);
     observer_.note(fmt::format("points: {} on the boundary, {} in all, {} triangulated; {} template octants",
                                next->seeds.surface_points, next->seeds.points.size(), next->split.band.size(),
                                next->split.templates));

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "base/error.h"
 #include "octree/octant_edges.h"
 
 namespace octet {
@@ -13,6 +14,8 @@ namespace {
 
 /// Edges a task: large enough to make tasks cheap, small enough to share out a few thousand edges.
 constexpr std::size_t kChunk = 256;
+/// Tasks between two questions whether to go on: a tenth of a second, where edges cross many sheets.
+constexpr std::size_t kChunksAQuestion = 64;
 
 void cut_edges(const Model& model, const Octree& tree, const OctreeVertices& vertices,
                std::span<const OctantEdge> edges, std::vector<OctantEdgeCut>& cuts) {
@@ -27,14 +30,18 @@ void cut_edges(const Model& model, const Octree& tree, const OctreeVertices& ver
 }  // namespace
 
 std::vector<OctantEdgeCut> cut_octant_edges(const Model& model, const Octree& tree,
-                                            const OctreeVertices& vertices, const OctantTypes& types) {
+                                            const OctreeVertices& vertices, const OctantTypes& types,
+                                            const std::function<bool()>& cancelled) {
   const std::vector<OctantEdge> edges = boundary_octant_edges(tree, vertices, types);
   std::vector<std::vector<OctantEdgeCut>> chunks((edges.size() + kChunk - 1) / kChunk);
-  tbb::parallel_for(std::size_t{0}, chunks.size(), [&](std::size_t i) {
-    const std::size_t first = i * kChunk;
-    cut_edges(model, tree, vertices, std::span(edges).subspan(first, std::min(kChunk, edges.size() - first)),
-              chunks[i]);
-  });
+  for (std::size_t begin = 0; begin < chunks.size(); begin += kChunksAQuestion) {
+    if (cancelled && cancelled()) throw Cancelled();
+    tbb::parallel_for(begin, std::min(begin + kChunksAQuestion, chunks.size()), [&](std::size_t i) {
+      const std::size_t first = i * kChunk;
+      cut_edges(model, tree, vertices,
+                std::span(edges).subspan(first, std::min(kChunk, edges.size() - first)), chunks[i]);
+    });
+  }
   std::vector<OctantEdgeCut> cuts;
   for (const auto& chunk : chunks) cuts.insert(cuts.end(), chunk.begin(), chunk.end());
   return cuts;

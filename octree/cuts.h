@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "octree/labels.h"
@@ -17,9 +18,11 @@ struct OctantEdgeCut {
 };
 
 /// All cuts of boundary_octant_edges() in their order, by t on each [Handbook 15.5.2.2]. Long edges that a
-/// hanging vertex splits are cut by their halves only. Edges are cut in parallel.
+/// hanging vertex splits are cut by their halves only. Edges are cut in parallel. `cancelled` is asked often
+/// by the calling thread; true ends the search with Cancelled.
 [[nodiscard]] std::vector<OctantEdgeCut> cut_octant_edges(const Model& model, const Octree& tree,
                                                           const OctreeVertices& vertices,
-                                                          const OctantTypes& types);
+                                                          const OctantTypes& types,
+                                                          const std::function<bool()>& cancelled = {});
 
 }  // namespace octet

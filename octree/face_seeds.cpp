@@ -2,6 +2,7 @@
 // Points on model faces: the exact cuts of octant edges, thinned by spacing, in matched pairs.
 #include <optional>
 
+#include "base/error.h"
 #include "geom/face_match.h"
 #include "geom/opposite.h"
 #include "octree/seed_state.h"
@@ -84,10 +85,15 @@ class FaceSeeder {
 
 }  // namespace
 
-void seed_model_faces(SeedState& state, const std::vector<OctantEdgeCut>& cuts) {
+void seed_model_faces(SeedState& state, const std::vector<OctantEdgeCut>& cuts,
+                      const std::function<bool()>& cancelled) {
+  constexpr std::size_t kCutsAQuestion = 4096;
   FaceSeeder seeder(state);
   seeder.match_vertices_and_edges();
-  for (const OctantEdgeCut& cut : cuts) seeder.offer(cut.hit);
+  for (std::size_t i = 0; i < cuts.size(); ++i) {
+    if (i % kCutsAQuestion == 0 && cancelled && cancelled()) throw Cancelled();
+    seeder.offer(cuts[i].hit);
+  }
 }
 
 }  // namespace octet

@@ -14,11 +14,12 @@
 namespace octet {
 
 Seeds seed_points(const Model& model, const Octree& tree, const OctreeVertices& vertices,
-                  const OctreeLabels& labels, const std::vector<OctantEdgeCut>& cuts, double size) {
+                  const OctreeLabels& labels, const std::vector<OctantEdgeCut>& cuts, double size,
+                  const std::function<bool()>& cancelled) {
   SeedState state(model, tree, size);
   seed_model_vertices(state);
   seed_model_edges(state);
-  seed_model_faces(state, cuts);
+  seed_model_faces(state, cuts, cancelled);
   seed_octree_vertices(state, vertices, labels, size);
   return std::move(state.seeds);
 }

@@ -20,9 +20,9 @@ struct Seeds {
 
 /// Points by priority: model vertices, model edges, faces (cuts), octree vertices [Schroeder & Shephard 1990,
 /// "Octant element generation"; Handbook 15.5.2.2; departures in docs/ARCHITECTURE.md]. `size` is the size
-/// asked for.
+/// asked for; `cancelled` is as in cut_octant_edges().
 [[nodiscard]] Seeds seed_points(const Model& model, const Octree& tree, const OctreeVertices& vertices,
                                 const OctreeLabels& labels, const std::vector<OctantEdgeCut>& cuts,
-                                double size);
+                                double size, const std::function<bool()>& cancelled = {});
 
 }  // namespace octet

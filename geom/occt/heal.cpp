@@ -29,6 +29,7 @@
 #include "geom/occt/edge_uses.h"
 #include "geom/occt/sew.h"
 #include "geom/occt/strips.h"
+#include "geom/occt/voids.h"
 
 namespace octet {
 namespace {
@@ -48,6 +49,7 @@ class Healer {
       join_strips(set_.solids[i]);
       turn_inside_out(set_.solids[i]);
     }
+    join_touching_voids();
     if (curves_ > 0)
       set_.notes.push_back(
           fmt::format("{} edge(s) had no curve in space and got that of their face, the first is {}", curves_,
@@ -179,6 +181,23 @@ class Healer {
     if (classifier.State() != TopAbs_IN) return;
     set_.notes.push_back(inside_out_note(name_of(solid)));
     solid.Reverse();
+  }
+
+  void join_touching_voids() {
+    std::vector<TopoDS_Shape> solids;
+    for (const TopoDS_Shape& solid : set_.solids) {
+      const VoidsJoined joined = join_voids(solid);
+      solids.insert(solids.end(), joined.solids.begin(), joined.solids.end());
+      if (!joined.touch) continue;
+      std::string note = fmt::format("voids of {} touch its outside, and share edges or vertices with it now",
+                                     name_of(solid));
+      if (joined.solids.size() > 1)
+        note +=
+            fmt::format("; nothing else held it together, so that it became {} solids", joined.solids.size());
+      set_.notes.push_back(note);
+      set_.history->Merge(joined.history);
+    }
+    set_.solids = std::move(solids);
   }
 
   const ShapeMaps& as_read_;

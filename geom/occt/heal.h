@@ -14,7 +14,8 @@ namespace octet {
 ///  3. an open solid: its faces are sewn, with `sew_tolerance` (0: growing ones), where that closes it;
 ///  4. faces no wider than the tolerance of their sides become edges;
 ///  5. where there are several, a solid turned inside out, so that it fills all space but its hole, is turned
-///     before they are fused (a single one shows by its facets, which is surer).
+///     before they are fused (a single one shows by its facets, which is surer);
+///  6. edges and vertices of voids that touch the outside of their solid become those of the outside.
 /// What remains open or damaged is left for the later stages to name.
 void heal(const ShapeMaps& as_read, double sew_tolerance, const StageLog& log, SolidSet& set);
 

@@ -6,7 +6,9 @@
 
 #include <algorithm>
 
+#include "base/error.h"
 #include "octree/octant_edges.h"
+#include "octree/seeds.h"
 #include "tests/octree/labelled_models.h"
 
 namespace octet {
@@ -37,6 +39,14 @@ TEST(OctantEdgeCuts, EqualTheModelsAnswerOnEveryEdgeOfTheTree) {
     ASSERT_EQ(l.cuts.size(), expected.size()) << name;
     for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_TRUE(same(l.cuts[i], expected[i])) << name;
   }
+}
+
+TEST(OctantEdgeCuts, TheSearchEndsWhenCancelled) {
+  const Model model = analytic_box(Vec3(1.0, 1.0, 1.0));
+  const Labelled l = label(model, 1.0 / 4);
+  EXPECT_THROW((void)cut_octant_edges(model, l.tree, l.vertices, l.types, [] { return true; }), Cancelled);
+  EXPECT_THROW((void)seed_points(model, l.tree, l.vertices, l.labels, l.cuts, 1.0 / 4, [] { return true; }),
+               Cancelled);
 }
 
 TEST(OctantEdgeCuts, OfABoxLieOnItsPlanes) {

@@ -25,6 +25,7 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
+#include <TopoDS_Solid.hxx>
 #include <gp_Circ.hxx>
 #include <gp_Trsf.hxx>
 
@@ -56,6 +57,29 @@ TopoDS_Shape side_by_side(const TopoDS_Shape& a, const TopoDS_Shape& b) {
   builder.Add(both, a);
   builder.Add(both, b);
   return both;
+}
+
+/// The solid with a void in it that shares nothing with it, as files write voids.
+TopoDS_Shape with_void(const TopoDS_Shape& solid, const TopoDS_Shape& hollow) {
+  const BRep_Builder builder;
+  TopoDS_Solid both;
+  builder.MakeSolid(both);
+  builder.Add(both, TopExp_Explorer(solid, TopAbs_SHELL).Current());
+  builder.Add(both, TopExp_Explorer(hollow, TopAbs_SHELL).Current().Reversed());
+  return both;
+}
+
+/// A block with a step and a void of which an edge lies in the step's inner edge.
+TopoDS_Shape void_at_an_edge() {
+  const TopoDS_Shape step = fuse(box(0, 0, 0, 4, 4, 2), box(0, 0, 2, 2, 4, 2));
+  return with_void(step, box(0.7, 1.2, 0.8, 1.3, 1.5, 1.2));
+}
+
+/// A block with a round boss, and below the boss a void of its radius: a circle is all that they share.
+TopoDS_Shape boss_over_void() {
+  const TopoDS_Shape block = fuse(box(-2, -2, 0, 4, 4, 2), rod({0, 0, 2}, gp::DZ(), 1, 1));
+  const TopoDS_Shape hollow = BRepPrimAPI_MakeCylinder(gp_Ax2({0, 0, 2}, -gp::DZ(), gp::DY()), 1, 1.2);
+  return with_void(block, hollow);
 }
 
 TopoDS_Shape plate(double thickness) { return box(0, 0, 0, 2.5, 1.7, thickness); }
@@ -224,6 +248,8 @@ std::vector<FamilyPart> family_parts() {
     add("layer_" + std::to_string(per_mille), [=] { return layer(1e-3 * per_mille); });
   add("coating_0_01", [] { return coating(0.01); });
   add("small_void", [] { return cut(box(-2, -2, -2, 4, 4, 4), ball(0.37, 0.05)); });
+  add("void_at_an_edge", [] { return void_at_an_edge(); });
+  add("boss_over_void", [] { return boss_over_void(); });
   add("balls_at_a_point", [] { return side_by_side(cut(ball(0, 3), ball(1, 2)), ball(1, 2)); });
   return parts;
 }

@@ -2,6 +2,7 @@
 // What is wrong with a solid is repaired, told in the notes, and nothing else is touched.
 #include <gtest/gtest.h>
 
+#include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
@@ -35,6 +36,7 @@
 #include "base/error.h"
 #include "geom/model_check.h"
 #include "geom/occt/from_shape.h"
+#include "geom/occt/read_part.h"
 
 namespace octet::test {
 namespace {
@@ -191,6 +193,45 @@ TEST(Heal, ALoopThroughAPoleGetsAnEdgeThere) {
   EXPECT_EQ(model.edge(model.count(1)).use, EdgeUse::kDegenerate);
   EXPECT_NEAR(model.region(1).volume, kPi / 6.0, 1e-9);
   EXPECT_EQ(model.region_at({0.5, 0.5, 0.5}), 1);
+}
+
+/// A block from x = 0 to 3, y and z = 0 to 1, with a step down to `low` beyond x = 1, and a void below the
+/// step's inner edge whose upper edge is `below` that.
+TopoDS_Shape stepped_block_with_void(double low, double below) {
+  const TopoDS_Shape cut_off = BRepPrimAPI_MakeBox(gp_Pnt(1.0, -1.0, low), gp_Pnt(4.0, 2.0, 2.0));
+  const TopoDS_Shape block = BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(3.0, 1.0, 1.0).Shape(), cut_off);
+  const TopoDS_Shape hollow =
+      BRepPrimAPI_MakeBox(gp_Pnt(0.5, 0.2, 0.1 - below), gp_Pnt(1.0, 0.8, low - below));
+  const BRep_Builder builder;
+  TopoDS_Solid both;
+  builder.MakeSolid(both);
+  builder.Add(both, TopExp_Explorer(block, TopAbs_SHELL).Current());
+  builder.Add(both, TopExp_Explorer(hollow, TopAbs_SHELL).Current().Reversed());
+  return both;
+}
+
+TEST(Heal, AVoidSharesTheEdgeWhereItTouchesTheOutside) {
+  const Model model = model_from_shape(stepped_block_with_void(0.5, 0.0));
+  EXPECT_NE(note_with(model, "voids of Solid 1 touch its outside"), "");
+  EXPECT_EQ(model.count(3), 1);
+  EXPECT_EQ(model.count(2), 8 + 6);
+  EXPECT_EQ(model.count(1), 18 + 12 + 2 - 1);  // the step's edge is three, the void's own is one of them
+  EXPECT_EQ(model.count(0), 12 + 8);
+  EXPECT_NEAR(model.region(1).volume, 2.0 - 0.5 * 0.6 * 0.4, 1e-9);
+  EXPECT_EQ(check_model(model), "");
+}
+
+TEST(Heal, AVoidApartFromTheOutsideIsLeftAlone) {
+  const Model model = model_from_shape(stepped_block_with_void(0.5, 0.05));
+  EXPECT_EQ(note_with(model, "voids of"), "");
+  EXPECT_EQ(model.count(1), 18 + 12);
+}
+
+TEST(Heal, WhatACircleAloneHeldTogetherBecomesTwoSolids) {
+  const Model model = read_part(OCTET_MODELS "/bugs/boss_over_void.step");
+  EXPECT_NE(note_with(model, "it became 2 solids"), "");
+  EXPECT_EQ(model.count(3), 2);
+  EXPECT_NEAR(model.region(1).volume + model.region(2).volume, 32.0 + kPi - 1.2 * kPi, 1e-6);
 }
 
 TEST(Heal, AnEdgeElsewhereThanItsFaceIsRefusedByName) {

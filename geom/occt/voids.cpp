@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The outside and each void, taken as solids, are fused; what is in no void is the solid.
+#include "geom/occt/voids.h"
+
+#include <BRepClass3d.hxx>
+#include <BRep_Builder.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopTools_MapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Iterator.hxx>
+#include <TopoDS_Solid.hxx>
+
+#include "geom/occt/group_fuse.h"
+
+namespace octet {
+namespace {
+
+TopoDS_Shape solid_within(const TopoDS_Shape& shell) {
+  const BRep_Builder builder;
+  TopoDS_Solid solid;
+  builder.MakeSolid(solid);
+  builder.Add(solid, shell);
+  return solid;
+}
+
+/// The outside first, then what fills each void; one where there are none.
+std::vector<TopoDS_Shape> outside_and_voids(const TopoDS_Shape& solid) {
+  const TopoDS_Shape outside = BRepClass3d::OuterShell(TopoDS::Solid(solid));
+  std::vector<TopoDS_Shape> solids{solid_within(outside)};
+  for (TopoDS_Iterator it(solid); it.More(); it.Next())
+    if (it.Value().ShapeType() == TopAbs_SHELL && !it.Value().IsSame(outside))
+      solids.push_back(solid_within(it.Value().Reversed()));
+  return solids;
+}
+
+/// Whether the fuse changed an edge or a vertex: shells apart from one another keep theirs.
+bool any_joined(const TopoDS_Shape& solid, BRepTools_History& history) {
+  for (const TopAbs_ShapeEnum type : {TopAbs_EDGE, TopAbs_VERTEX}) {
+    TopTools_IndexedMapOfShape entities;
+    TopExp::MapShapes(solid, type, entities);
+    for (int i = 1; i <= entities.Extent(); ++i)
+      if (!history.Modified(entities(i)).IsEmpty()) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+VoidsJoined join_voids(const TopoDS_Shape& solid) {
+  const VoidsJoined same{{solid}, new BRepTools_History, false};
+  if (solid.ShapeType() != TopAbs_SOLID) return same;
+  const std::vector<TopoDS_Shape> shells = outside_and_voids(solid);
+  if (shells.size() < 2) return same;
+  const GroupFuse fuse(shells, 0.0, 0.0);
+  if (!fuse.sound() || !any_joined(solid, *fuse.history())) return same;
+  TopTools_MapOfShape voids;
+  for (std::size_t i = 1; i < shells.size(); ++i)
+    for (const TopoDS_Shape& image : fuse.images()[i]) voids.Add(image);
+  VoidsJoined joined{{}, fuse.history(), true};
+  for (const TopoDS_Shape& image : fuse.images()[0])
+    if (!voids.Contains(image)) joined.solids.push_back(image.Oriented(solid.Orientation()));
+  if (joined.solids.empty()) return same;
+  for (const TopoDS_Shape& made : joined.solids) joined.history->AddModified(solid, made);
+  return joined;
+}
+
+}  // namespace octet
