@@ -27,6 +27,7 @@
 #include <TopoDS_Wire.hxx>
 
 #include "geom/occt/edge_uses.h"
+#include "geom/occt/folds.h"
 #include "geom/occt/sew.h"
 #include "geom/occt/strips.h"
 #include "geom/occt/voids.h"
@@ -47,6 +48,7 @@ class Healer {
       turn_faces(set_.solids[i]);
       close(set_.solids[i]);
       join_strips(set_.solids[i]);
+      take_folds(set_.solids[i]);
       turn_inside_out(set_.solids[i]);
     }
     join_touching_voids();
@@ -172,6 +174,18 @@ class Healer {
     set_.history->Merge(merged.history);
     replace(solid, merged.solid);
     add_curves(solid);
+  }
+
+  void take_folds(TopoDS_Shape& solid) {
+    const FoldsRemoved removed = remove_folds(solid);
+    if (removed.faces.empty() || removed.solid.ShapeType() != TopAbs_SOLID) return;
+    if (edge_uses(removed.solid).first(&Uses::open) != 0) return;
+    set_.notes.push_back(fmt::format(
+        "{} face(s) of {} lie flat on a face beside them, no farther than their sides lie off their "
+        "faces, and were taken away, the first is {}",
+        removed.faces.size(), name_of(solid), numbered("Face", 2, removed.faces.front())));
+    set_.history->Merge(removed.history);
+    replace(solid, removed.solid);
   }
 
   void turn_inside_out(TopoDS_Shape& solid) {

@@ -5,6 +5,7 @@
 #include <BRepAlgoAPI_Common.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
@@ -17,11 +18,16 @@
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepTools_ReShape.hxx>
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
+#include <GC_MakeArcOfCircle.hxx>
 #include <Geom2d_Line.hxx>
 #include <Geom_BezierSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <TColgp_Array2OfPnt.hxx>
+#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
@@ -80,6 +86,50 @@ TopoDS_Shape boss_over_void() {
   const TopoDS_Shape block = fuse(box(-2, -2, 0, 4, 4, 2), rod({0, 0, 2}, gp::DZ(), 1, 1));
   const TopoDS_Shape hollow = BRepPrimAPI_MakeCylinder(gp_Ax2({0, 0, 2}, -gp::DZ(), gp::DY()), 1, 1.2);
   return with_void(block, hollow);
+}
+
+gp_Pnt middle_of(const TopoDS_Shape& shape) {
+  Bnd_Box box;
+  BRepBndLib::Add(shape, box);
+  return gp_Pnt(0.5 * (box.CornerMin().XYZ() + box.CornerMax().XYZ()));
+}
+
+TopoDS_Edge arc_between(const TopoDS_Edge& edge, const gp_Pnt& through) {
+  const TopoDS_Vertex from = TopExp::FirstVertex(edge), to = TopExp::LastVertex(edge);
+  const GC_MakeArcOfCircle arc(BRep_Tool::Pnt(from), through, BRep_Tool::Pnt(to));
+  return BRepBuilderAPI_MakeEdge(arc.Value(), from, to).Edge();
+}
+
+/// A block whose top goes beyond its middle, turns back in a lune and turns again: three sheets in one plane.
+TopoDS_Shape folded_top() {
+  const TopoDS_Shape block = fuse(box(0, 0, 0, 2, 3, 1.5), box(2, 0, 0, 2, 3, 1.5));
+  TopoDS_Edge middle;
+  for (TopExp_Explorer it(block, TopAbs_EDGE); it.More(); it.Next()) {
+    const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
+    const gp_Pnt from = BRep_Tool::Pnt(TopExp::FirstVertex(edge)),
+                 to = BRep_Tool::Pnt(TopExp::LastVertex(edge));
+    if (from.X() == 2 && to.X() == 2 && from.Z() == 1.5 && to.Z() == 1.5)
+      middle = TopoDS::Edge(edge.Oriented(TopAbs_FORWARD));
+  }
+  const TopoDS_Edge beyond = arc_between(middle, gp_Pnt(2.2, 1.5, 1.5)),
+                    before = arc_between(middle, gp_Pnt(1.9, 1.5, 1.5));
+  const BRep_Builder builder;
+  TopoDS_Shell shell;
+  builder.MakeShell(shell);
+  for (TopExp_Explorer it(block, TopAbs_FACE); it.More(); it.Next()) {
+    BRepTools_ReShape reshape;
+    const bool left = middle_of(it.Current()).X() < 2.0;
+    reshape.Replace(middle, left ? beyond : before);
+    const bool is_top = middle_of(it.Current()).Z() > 1.4;
+    builder.Add(shell, is_top ? reshape.Apply(it.Current()) : it.Current());
+  }
+  const TopoDS_Wire lune = BRepBuilderAPI_MakeWire(before, TopoDS::Edge(beyond.Reversed())).Wire();
+  const TopoDS_Face fold = BRepBuilderAPI_MakeFace(gp_Pln(gp_Pnt(2, 0, 1.5), gp::DZ()), lune).Face();
+  builder.Add(shell, fold.Reversed());
+  TopoDS_Solid solid;
+  builder.MakeSolid(solid);
+  builder.Add(solid, shell);
+  return solid;
 }
 
 TopoDS_Shape plate(double thickness) { return box(0, 0, 0, 2.5, 1.7, thickness); }
@@ -250,6 +300,7 @@ std::vector<FamilyPart> family_parts() {
   add("small_void", [] { return cut(box(-2, -2, -2, 4, 4, 4), ball(0.37, 0.05)); });
   add("void_at_an_edge", [] { return void_at_an_edge(); });
   add("boss_over_void", [] { return boss_over_void(); });
+  add("folded_top", [] { return folded_top(); });
   add("balls_at_a_point", [] { return side_by_side(cut(ball(0, 3), ball(1, 2)), ball(1, 2)); });
   return parts;
 }

@@ -6,9 +6,11 @@
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepTools_ReShape.hxx>
 #include <BRep_Builder.hxx>
@@ -193,6 +195,23 @@ TEST(Heal, ALoopThroughAPoleGetsAnEdgeThere) {
   EXPECT_EQ(model.edge(model.count(1)).use, EdgeUse::kDegenerate);
   EXPECT_NEAR(model.region(1).volume, kPi / 6.0, 1e-9);
   EXPECT_EQ(model.region_at({0.5, 0.5, 0.5}), 1);
+}
+
+TEST(Heal, AFaceFoldedFlatOntoItsNeighbourIsTakenAway) {
+  const Model model = read_part(OCTET_MODELS "/bugs/folded_top.step");
+  EXPECT_NE(note_with(model, "lie flat on a face beside them"), "");
+  EXPECT_EQ(model.count(2), 10);
+  EXPECT_NEAR(model.region(1).volume, 18.0, 1e-9);
+  EXPECT_EQ(check_model(model), "");
+}
+
+TEST(Heal, AKnifeIsNoFold) {
+  BRepBuilderAPI_MakePolygon triangle(gp_Pnt(0, 0, 0), gp_Pnt(1, 0, 0), gp_Pnt(1, 0.001, 0), true);
+  const TopoDS_Shape knife =
+      BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(triangle.Wire()).Shape(), gp_Vec(0, 0, 1)).Shape();
+  const Model model = model_from_shape(knife);
+  EXPECT_EQ(note_with(model, "lie flat"), "");
+  EXPECT_EQ(model.count(2), 5);
 }
 
 /// A block from x = 0 to 3, y and z = 0 to 1, with a step down to `low` beyond x = 1, and a void below the
