@@ -5,6 +5,7 @@
 #include <BRepClass3d.hxx>
 #include <BRep_Builder.hxx>
 #include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
@@ -45,6 +46,13 @@ bool any_joined(const TopoDS_Shape& solid, BRepTools_History& history) {
   return false;
 }
 
+/// Whether a face became several: shells that cross are no matter of edges.
+bool any_cut(const TopoDS_Shape& solid, BRepTools_History& history) {
+  for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next())
+    if (history.Modified(it.Current()).Extent() > 1) return true;
+  return false;
+}
+
 }  // namespace
 
 VoidsJoined join_voids(const TopoDS_Shape& solid) {
@@ -53,7 +61,7 @@ VoidsJoined join_voids(const TopoDS_Shape& solid) {
   const std::vector<TopoDS_Shape> shells = outside_and_voids(solid);
   if (shells.size() < 2) return same;
   const GroupFuse fuse(shells, 0.0, 0.0);
-  if (!fuse.sound() || !any_joined(solid, *fuse.history())) return same;
+  if (!fuse.sound() || any_cut(solid, *fuse.history()) || !any_joined(solid, *fuse.history())) return same;
   TopTools_MapOfShape voids;
   for (std::size_t i = 1; i < shells.size(); ++i)
     for (const TopoDS_Shape& image : fuse.images()[i]) voids.Add(image);

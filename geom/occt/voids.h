@@ -17,6 +17,7 @@ struct VoidsJoined {
 
 /// A shell has edges and vertices of its own, also where it touches another shell of its solid; no mesh can
 /// have both. Such entities become one, and where nothing else holds the solid together it becomes several.
+/// Shells that cross are left as they are.
 [[nodiscard]] VoidsJoined join_voids(const TopoDS_Shape& solid);
 
 }  // namespace octet
