@@ -169,7 +169,8 @@ class Run {
     auto& faults = result_.report.faults;
     faults = describe_left_out(*band_, model_, broken_);
     if (gaps_left_) faults.insert(faults.begin(), crossings_.begin(), crossings_.end());
-    for (const Gap& gap : band_->closed.gaps) faults.push_back(describe_gap(model_, gap));
+    const std::vector<Fault> gaps = describe_gaps(model_, band_->closed.gaps);
+    faults.insert(faults.end(), gaps.begin(), gaps.end());
   }
 
   /// How many holes an attempt left; facets are not looked at while edges lack pieces, so that says the most.

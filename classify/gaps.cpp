@@ -2,10 +2,13 @@
 // Every claim that makes the facets a surface on the model, tested edge by edge and vertex by vertex.
 #include "classify/gaps.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "base/bucket_sort.h"
 #include "classify/dual_crossings.h"
@@ -395,6 +398,9 @@ std::optional<AttributePoint> reach_point(const Model& model, const TetMesh& mes
   return best;
 }
 
+namespace {
+
+/// The gap in the user's terms.
 Fault describe_gap(const Model& model, const Gap& gap) {
   Fault fault;
   fault.entity = gap.entity;
@@ -425,6 +431,25 @@ Fault describe_gap(const Model& model, const Gap& gap) {
   }
   fault.advice = "ask for a smaller size here, or remove the small feature or thin wall at this place";
   return fault;
+}
+
+}  // namespace
+
+std::vector<Fault> describe_gaps(const Model& model, std::span<const Gap> gaps) {
+  struct Like {
+    std::size_t fault;  ///< index of the fault that stands for them
+    std::size_t count;
+  };
+  std::map<std::pair<ModelRef, GapKind>, Like> known;
+  std::vector<Fault> faults;
+  for (const Gap& gap : gaps) {
+    const auto [like, is_new] = known.try_emplace({gap.entity, gap.kind}, Like{faults.size(), 0});
+    if (is_new) faults.push_back(describe_gap(model, gap));
+    ++like->second.count;
+  }
+  for (const auto& [what, like] : known)
+    if (like.count > 1) faults[like.fault].cause += fmt::format(", and so at {} more places", like.count - 1);
+  return faults;
 }
 
 }  // namespace octet

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "base/fault.h"
@@ -66,7 +67,7 @@ struct AttributePoint {
                                                         std::span<const ModelRef> on, TetId tet,
                                                         double floor);
 
-/// The gap in the user's terms.
-[[nodiscard]] Fault describe_gap(const Model& model, const Gap& gap);
+/// Gaps in the user's terms: one fault for those of a kind on an entity, at the first of them.
+[[nodiscard]] std::vector<Fault> describe_gaps(const Model& model, std::span<const Gap> gaps);
 
 }  // namespace octet
