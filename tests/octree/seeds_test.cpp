@@ -105,7 +105,7 @@ TEST(Seeds, OctreeVerticesKeepTheirDistanceFromTheSurface) {
   std::size_t inside = 0;
   for (std::size_t n = stage.seeds.surface_points; n < stage.seeds.points.size(); ++n) {
     EXPECT_FALSE(
-        model.closest(stage.seeds.points.position[n], 0.59 * stage.seeds.points.spacing[n]).has_value());
+        model.closest(stage.seeds.points.position[n], 0.39 * stage.seeds.points.spacing[n]).has_value());
     EXPECT_EQ(stage.seeds.points.on[n].dim, 3);
     inside += stage.seeds.points.on[n].tag == 1;
   }
