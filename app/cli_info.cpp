@@ -8,6 +8,7 @@
 #include "app/exit_code.h"
 #include "app/info_json.h"
 #include "app/info_text.h"
+#include "app/own_frame.h"
 #include "app/scaled_sizes.h"
 #include "app/size_boxes.h"
 #include "app/size_table.h"
@@ -22,10 +23,15 @@ int run_info(const InfoCommand& command) {
     MeshOptions options;
     const LengthUnit unit = length_unit(command.unit.empty() ? "mm" : command.unit);
     apply_sizes(command.sizes, unit, options);
-    const SizePlan plan = plan_sizes(model, with_default_size(model, options));
-    if (!command.size_field.empty())
-      write_size_field(command.size_field, size_boxes(model, plan), 1.0 / unit.millimetres);
-    fmt::print("{}", command.json ? size_table_json(name, model, plan) : size_table(name, model, plan));
+    const OwnFrame frame(model, options);
+    const SizePlan plan = plan_sizes(frame.model(), with_default_size(frame.model(), frame.options()));
+    if (!command.size_field.empty()) {
+      SizeBoxes boxes = size_boxes(frame.model(), plan);
+      frame.to_part(boxes.points);
+      write_size_field(command.size_field, boxes, 1.0 / unit.millimetres);
+    }
+    fmt::print("{}", command.json ? size_table_json(name, frame.model(), plan)
+                                  : size_table(name, frame.model(), plan));
     return kExitComplete;
   }
   const PartInfo info = part_info(model);

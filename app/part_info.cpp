@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "app/own_frame.h"
 #include "app/scaled_sizes.h"
 
 namespace octet {
@@ -139,7 +140,7 @@ PartInfo part_info(const Model& model) {
   info.changes = changed_numbers(model.provenance());
   info.tiny = tiny_features(model);
   info.thinnest = thinnest_wall(model);
-  info.default_size = with_default_size(model, {}).size;
+  info.default_size = with_default_size(OwnFrame(model, {}).model(), {}).size;
   return info;
 }
 

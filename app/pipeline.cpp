@@ -16,6 +16,7 @@
 #include "app/measures.h"
 #include "app/mesh_part.h"
 #include "app/octant_sizes.h"
+#include "app/own_frame.h"
 #include "app/scaled_sizes.h"
 #include "app/stage_clock.h"
 #include "app/target_elements.h"
@@ -57,8 +58,8 @@ Fault warning_of(const FaceCrossing& crossing, const Model& model) {
 
 class Run {
  public:
-  Run(const Model& model, const MeshOptions& options, Observer& observer)
-      : model_(model), options_(options), observer_(observer) {}
+  Run(const OwnFrame& frame, const MeshOptions& options, Observer& observer)
+      : frame_(frame), part_(frame.part()), model_(frame.model()), options_(options), observer_(observer) {}
 
   MeshResult run() {
     choose_size();
@@ -114,7 +115,7 @@ class Run {
                       h, elements, options_.max_elements));
     plan_ = plan_sizes(model_, options_);
     result_.report.size = plan_.asked;
-    for (const WideGap& gap : wide_gaps(model_, plan_.asked))
+    for (const WideGap& gap : wide_gaps(part_, plan_.asked))
       result_.report.warnings.push_back(warning_of(gap));
     refuse_crossings();
     octant_ = octant_request(plan_).size;
@@ -123,14 +124,14 @@ class Run {
   /// A boundary that crosses itself within the size bounds nothing; what the size cannot tell apart is tried.
   void refuse_crossings() {
     constexpr double kSeenShare = 0.5;
-    for (const FaceCrossing& crossing : face_crossings(model_)) {
+    for (const FaceCrossing& crossing : face_crossings(part_)) {
       if (crossing.depth > kSeenShare * plan_.asked)
         throw InputError(fmt::format(
             "{} and {} cross at ({:.6g}, {:.6g}, {:.6g}): the part's boundary meets itself, so it "
             "bounds no volume; mend the part there",
-            model_.describe(model_face(crossing.face[0])), model_.describe(model_face(crossing.face[1])),
+            part_.describe(model_face(crossing.face[0])), part_.describe(model_face(crossing.face[1])),
             crossing.place.x(), crossing.place.y(), crossing.place.z()));
-      crossings_.push_back(warning_of(crossing, model_));
+      crossings_.push_back(warning_of(crossing, part_));
       result_.report.warnings.push_back(crossings_.back());
     }
   }
@@ -168,9 +169,10 @@ class Run {
     broken_ = broken_regions(*band_, model_);
     auto& faults = result_.report.faults;
     faults = describe_left_out(*band_, model_, broken_);
-    if (gaps_left_) faults.insert(faults.begin(), crossings_.begin(), crossings_.end());
     const std::vector<Fault> gaps = describe_gaps(model_, band_->closed.gaps);
     faults.insert(faults.end(), gaps.begin(), gaps.end());
+    for (Fault& fault : faults) fault.place = frame_.to_part(fault.place);
+    if (gaps_left_) faults.insert(faults.begin(), crossings_.begin(), crossings_.end());
   }
 
   /// How many holes an attempt left; facets are not looked at while edges lack pieces, so that says the most.
@@ -237,6 +239,7 @@ class Run {
     if (!observer_.wants_dumps()) return;
     Mesh whole = result_.mesh;
     append_deep(band_->tree, band_->vertices, band_->labels, band_->split, whole);
+    frame_.to_part(whole.points);
     observer_.dump(stage, whole);
   }
 
@@ -259,6 +262,7 @@ class Run {
     begin("interior", 0.85);
     result_.report.template_tets +=
         append_deep(band_->tree, band_->vertices, band_->labels, band_->split, result_.mesh);
+    frame_.to_part(result_.mesh.points);
     tree_ = std::move(band_->tree);
     band_.reset();
   }
@@ -267,7 +271,9 @@ class Run {
   /// there. None where there is no fault, or where that has been done for gaps already.
   [[nodiscard]] std::optional<Octree> finer_at_faults() {
     if (result_.report.faults.empty() || gaps_left_) return std::nullopt;
-    std::optional<Octree> finer = subdivide_at(*tree_, result_.report.faults, 0.5 * finest_octant());
+    std::vector<Fault> faults = result_.report.faults;
+    for (Fault& fault : faults) fault.place = frame_.to_model(fault.place);
+    std::optional<Octree> finer = subdivide_at(*tree_, faults, 0.5 * finest_octant());
     if (finer && !wish_) wish_ = tree_;
     if (finer)
       observer_.note(fmt::format("{} faults: their octants subdivided, {} octants now",
@@ -298,7 +304,7 @@ class Run {
   void accept() {
     begin("acceptance", 0.9);
     MeshReport& report = result_.report;
-    report.acceptance = accept_mesh(result_.mesh, model_);
+    report.acceptance = accept_mesh(result_.mesh, part_);
     for (const Claim& claim : report.acceptance.claims)
       if (!claim.holds) report.faults.insert(report.faults.end(), claim.faults.begin(), claim.faults.end());
     report.status =
@@ -307,11 +313,13 @@ class Run {
 
   void summarize() {
     begin("summary", 0.98);
-    measure_mesh(result_.mesh, model_, result_.report);
+    measure_mesh(result_.mesh, part_, result_.report);
     end();
   }
 
-  const Model& model_;
+  const OwnFrame& frame_;
+  const Model& part_;   ///< as the user has it: what is told and accepted
+  const Model& model_;  ///< in its own axes: what is meshed
   const MeshOptions& options_;
   Observer& observer_;
   MeshResult result_;
@@ -337,14 +345,15 @@ MeshResult mesh_part(const Model& model, const MeshOptions& options, Observer& o
   const bool apart = is_meshed_apart(model);
   MeshResult result;
   tbb::task_arena arena(options.threads);
-  const auto mesh = [&](const MeshOptions& with) {
-    return apart ? mesh_apart(model, with, observer) : Run(model, with, observer).run();
-  };
   MeshOptions watched = options;
   watched.cancelled = [&observer] { return observer.cancelled(); };
   arena.execute([&] {
-    result = options.target_elements > 0.0 ? mesh_to_target(model, watched, mesh)
-                                           : mesh(with_default_size(model, watched));
+    const OwnFrame frame(model, watched);
+    const auto mesh = [&](const MeshOptions& with) {
+      return apart ? mesh_apart(model, with, observer) : Run(frame, with, observer).run();
+    };
+    result = options.target_elements > 0.0 ? mesh_to_target(frame.model(), frame.options(), mesh)
+                                           : mesh(with_default_size(frame.model(), frame.options()));
   });
   MeshReport& report = result.report;
   report.faults.insert(report.faults.begin(), model.parts().faults.begin(), model.parts().faults.end());

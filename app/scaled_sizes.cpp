@@ -16,8 +16,8 @@ constexpr double kSlope = -2.5;  // the first guess of d log(count) / d log(size
 constexpr double kWidestAngle = M_PI / 3.0;
 
 /// What a mesh without a size may be estimated at. Estimates of thin sheets are up to three times the truth,
-/// those of parts with many small features down to four fifths: meshes have 2 000 to 500 000 elements.
-constexpr double kFewest = 4'000.0, kMost = 400'000.0;
+/// those of parts with many small features down to seven tenths: meshes have 2 000 to 500 000 elements.
+constexpr double kFewest = 4'000.0, kMost = 360'000.0;
 
 }  // namespace
 
@@ -43,12 +43,12 @@ MeshOptions scaled_sizes(const Model& model, const MeshOptions& options, double 
   return scaled;
 }
 
-double log_scale_for(const Model& model, const std::function<MeshOptions(double)>& sizes, double log_elements,
+double log_scale_for(const Model& model, const std::function<SizePlan(double)>& sizes, double log_elements,
                      double start) {
   constexpr int kMostTrees = 8;
   double x = start, slope = kSlope, last_x = 0.0, last_y = 0.0;
   for (int i = 0; i < kMostTrees; ++i) {
-    const double y = std::log(estimated_elements(model, plan_sizes(model, sizes(x))));
+    const double y = std::log(estimated_elements(model, sizes(x)));
     if (std::abs(y - log_elements) < 0.02) break;
     if (i > 0 && std::abs(x - last_x) > 1e-6) slope = std::clamp((y - last_y) / (x - last_x), -4.0, -1.0);
     last_x = x;
@@ -74,9 +74,14 @@ MeshOptions with_default_size(const Model& model, const MeshOptions& options) {
     scaled.suit_curvature = false;  // as in scaled_sizes()
     return scaled;
   };
-  const double elements = estimated_elements(model, plan_sizes(model, chosen));
+  const SizePlan plan = plan_sizes(model, chosen);
+  const double elements = estimated_elements(model, plan);
   const double wanted = std::clamp(elements, kFewest, kMost);
-  return wanted == elements ? chosen : sizes(log_scale_for(model, sizes, std::log(wanted), 0.0));
+  if (wanted == elements) return chosen;
+  const auto planned = [&](double log_scale) {
+    return log_scale >= 0.0 ? coarsened(plan, std::exp(log_scale)) : plan_sizes(model, sizes(log_scale));
+  };
+  return sizes(log_scale_for(model, planned, std::log(wanted), 0.0));
 }
 
 }  // namespace octet

@@ -15,7 +15,7 @@ namespace octet {
 
 /// The logarithm of the scale at which the octree of sizes(log_scale) promises so many elements, near enough;
 /// the search begins at `start` and takes eight octrees at most.
-[[nodiscard]] double log_scale_for(const Model& model, const std::function<MeshOptions(double)>& sizes,
+[[nodiscard]] double log_scale_for(const Model& model, const std::function<SizePlan(double)>& sizes,
                                    double log_elements, double start);
 
 /// Where no size is asked for: the part's default size, with octants that suit its commonest radius. When

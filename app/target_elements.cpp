@@ -56,13 +56,14 @@ MeshResult mesh_to_target(const Model& model, const MeshOptions& options,
                      std::abs(static_cast<double>(result.report.tets) / target - 1.0));
   };
   const auto sizes = [&](double log_scale) { return scaled_sizes(model, whole, std::exp(log_scale)); };
+  const auto planned = [&](double log_scale) { return plan_sizes(model, sizes(log_scale)); };
   for (int i = 0; i < kMostMeshes; ++i) {
-    if (!crossing(tried)) x = log_scale_for(model, sizes, std::log(target) - correction, x);
+    if (!crossing(tried)) x = log_scale_for(model, planned, std::log(target) - correction, x);
     MeshResult result = mesh(sizes(x));
     const double count = static_cast<double>(std::max<std::size_t>(result.report.tets, 1));
     if (!best || miss(result) < miss(*best)) best = std::move(result);
     if (miss(*best) < std::pair(false, kCloseEnough)) break;
-    correction = std::log(count / estimated_elements(model, plan_sizes(model, sizes(x))));
+    correction = std::log(count / estimated_elements(model, planned(x)));
     const double off = std::log(count / target);
     const auto again =
         std::find_if(tried.begin(), tried.end(), [off](const auto& one) { return one.second == off; });

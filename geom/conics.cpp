@@ -20,11 +20,11 @@ class Line final : public Curve {
   double project(const Vec3& p, double) const override {
     return std::clamp((p - origin_).dot(direction_) / direction_.squaredNorm(), t0_, t1_);
   }
-  void cut(int axis, double value, std::vector<double>& parameters) const override {
-    const double d = direction_[axis];
+  void cut(const Vec3& normal, double offset, std::vector<double>& parameters) const override {
+    const double d = direction_.dot(normal);
     // A line in the plane (or off it, parallel) has no cut of its own.
     if (std::abs(d) <= kEps * direction_.norm()) return;
-    const double t = (value - origin_[axis]) / d;
+    const double t = (offset - origin_.dot(normal)) / d;
     if (t >= t0_ && t <= t1_) parameters.push_back(t);
   }
   const char* kind() const override { return "line"; }
@@ -53,10 +53,11 @@ class Ellipse final : public Curve {
     return into_range(t, p, hint);
   }
 
-  void cut(int axis, double value, std::vector<double>& parameters) const override {
-    const double c = a_ * axes_.x[axis], s = b_ * axes_.y[axis], w = value - axes_.origin[axis];
+  void cut(const Vec3& normal, double offset, std::vector<double>& parameters) const override {
+    const double c = a_ * axes_.x.dot(normal), s = b_ * axes_.y.dot(normal);
+    const double height = axes_.origin.dot(normal), w = offset - height;
     const double amplitude = std::hypot(c, s);
-    const double noise = 16.0 * kEps * (std::abs(value) + std::abs(axes_.origin[axis]) + a_);
+    const double noise = 16.0 * kEps * (std::abs(offset) + std::abs(height) + a_);
     if (amplitude <= noise || std::abs(w) > amplitude + noise) return;
     const double phase = std::atan2(s, c);
     const double half = std::acos(std::clamp(w / amplitude, -1.0, 1.0));

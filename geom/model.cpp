@@ -228,7 +228,13 @@ double Model::face_curvature(int tag, const Vec2& uv) const {
   const double shear = f / e, height2 = g - f * shear;
   const double a = l / e, b = (m - shear * l) / std::sqrt(e * height2);
   const double c = (k - 2.0 * shear * m + shear * shear * l) / height2;
-  return 0.5 * std::abs(a + c) + std::hypot(0.5 * (a - c), b);
+  const double curvature = 0.5 * std::abs(a + c) + std::hypot(0.5 * (a - c), b);
+  // Beside a pole derivatives are so small that the rounding of their products with the normal is all there
+  // is.
+  constexpr double kRounding = 1e-12;
+  const double noise =
+      kRounding * (j.duu.norm() / e + j.duv.norm() / std::sqrt(e * height2) + j.dvv.norm() / height2);
+  return curvature > noise ? curvature : 0.0;
 }
 
 bool Model::near_boundary(const Box3& box) const { return data_->bvh.meets(box); }

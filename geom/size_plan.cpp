@@ -20,6 +20,9 @@ using Where = SizeAttribute::Where;
 constexpr double kFinestShare = 1.0 / 32.0;
 /// The same for curvature alone: a small fillet is well served by elements of its own width.
 constexpr double kFinestCurvedShare = 1.0 / 11.0;
+/// The solder balls of a chip, whose size suits the chip, are small, but no feature of anything. Octants come
+/// in powers of two: a region whose size is hardly smaller than the one asked for makes no difference.
+constexpr double kSmallRegionShare = 0.75;
 
 void check_number(const char* name, double value, bool zero_is_off) {
   if (!std::isfinite(value) || value < 0.0 || (value == 0.0 && !zero_is_off))
@@ -129,14 +132,12 @@ class Planner {
     hold_regions(sizes, SizeReason::kGlobal);
   }
 
-  /// The solder balls of a chip, whose size suits the chip, are small, but no feature of anything. Octants
-  /// come in powers of two: what is hardly smaller than the size asked for makes no difference.
   void hold_small_regions() {
-    constexpr double kSmall = 0.75;
     std::vector<double> sizes = default_region_sizes(model_);
     for (std::size_t tag = 1; tag < sizes.size(); ++tag) {
       sizes[tag] = within_limits(std::max(control_.region_scale * sizes[tag], plan_.min_size));
-      if (sizes[tag] > kSmall * plan_.asked || plan_.region_size[tag] != kNoSize) sizes[tag] = kNoSize;
+      if (sizes[tag] > kSmallRegionShare * plan_.asked || plan_.region_size[tag] != kNoSize)
+        sizes[tag] = kNoSize;
     }
     hold_regions(sizes, SizeReason::kSmallRegion);
   }
@@ -232,6 +233,27 @@ double global_size(const Model& model, const SizeControl& control) {
 SizePlan plan_sizes(const Model& model, const SizeControl& control) {
   check_control(control);
   return Planner(model, control).run();
+}
+
+SizePlan coarsened(SizePlan plan, double scale) {
+  plan.asked *= scale;
+  plan.size *= scale;
+  plan.min_size *= scale;
+  plan.wanted.clear();
+  for (double& size : plan.region_size) {
+    size *= scale;
+    if (size > kSmallRegionShare * plan.asked) size = kNoSize;
+  }
+  for (SizeSample& sample : plan.samples) {
+    if (sample.why == SizeReason::kSmallRegion) sample.size *= scale;
+    const double floor =
+        sample.why == SizeReason::kCurvature ? kFinestCurvedShare * plan.size : plan.min_size;
+    sample.size = std::max(sample.size, floor);
+  }
+  std::erase_if(plan.samples, [&](const SizeSample& sample) {
+    return sample.size >= (sample.why == SizeReason::kSmallRegion ? kSmallRegionShare : 1.0) * plan.size;
+  });
+  return plan;
 }
 
 }  // namespace octet

@@ -50,6 +50,11 @@ struct SizePlan {
 /// InputError for a control that makes no sense or an attribute that names nothing.
 [[nodiscard]] SizePlan plan_sizes(const Model& model, const SizeControl& control);
 
+/// The plan that the same part gets about where nothing but a size is asked for, and one so many times as
+/// large: wishes for walls and features stay, those the larger size leaves room for are missing. For
+/// estimates: walls are measured once. Requires scale >= 1.
+[[nodiscard]] SizePlan coarsened(SizePlan plan, double scale);
+
 /// The size of the control, or the default for the part, within the largest size.
 [[nodiscard]] double global_size(const Model& model, const SizeControl& control);
 

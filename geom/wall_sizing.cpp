@@ -44,11 +44,27 @@ std::vector<std::vector<int>> faces_of_edges(const Model& model) {
   return neighbours;
 }
 
+/// The surfaces' unit normals in the middle of each facet. A facet that is thinner than it deviates may stand
+/// at any angle to its surface.
+std::vector<Vec3> sheet_normals(const Model& model) {
+  const Facets& facets = model.facets();
+  std::vector<Vec3> normals(facets.triangles.size());
+  for (std::size_t t = 0; t < normals.size(); ++t) {
+    normals[t] =
+        model.face_normal(facets.face[t], (facets.uv[t][0] + facets.uv[t][1] + facets.uv[t][2]) / 3.0);
+    if (normals[t].norm() > 0.5) continue;
+    const auto [a, b, c] = facet_corners(facets, t);
+    normals[t] = (b - a).cross(c - a).normalized();
+  }
+  return normals;
+}
+
 class WallSizer {
  public:
-  WallSizer(const Model& model, const WallOptions& options)
+  WallSizer(const Model& model, const WallOptions& options, const std::vector<Vec3>& normals)
       : model_(model),
         facets_(model.facets()),
+        normals_(normals),
         options_(options),
         wishes_(options.size, options.min_size),
         neighbours_(faces_of_edges(model)) {}
@@ -59,17 +75,14 @@ class WallSizer {
       if (t % kFacetsAQuestion == 0 && options_.cancelled && options_.cancelled()) throw Cancelled();
       const int face = facets_.face[t];
       for (const int side : {-1, 1}) {
-        const bool inside = model_.face(face).region[side > 0 ? 1 : 0] != 0;
+        const int region = model_.face(face).region[side > 0 ? 1 : 0];
+        const bool inside = region != 0;
         const double n = inside ? options_.wall_elements : options_.gap_elements;
         if (!(n > 0.0)) continue;
         const std::array<Vec3, 3> corners = facet_corners(facets_, t);
-        const Vec3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
-        if (!(normal.norm() > 0.0)) continue;
-        const Probe from{t,
-                         face,
-                         side * normal.normalized(),
-                         n,
-                         {model_face(face), inside ? SizeReason::kWall : SizeReason::kGap}};
+        if (!(normals_[t].norm() > 0.5)) continue;
+        const Probe from{t,      face, side * normals_[t],
+                         region, n,    {model_face(face), inside ? SizeReason::kWall : SizeReason::kGap}};
         if (look_ahead(corners, from)) probe(corners, from, 0);
         if (options_.budget > 0.0 && elements_ > options_.budget) return std::nullopt;
       }
@@ -82,6 +95,7 @@ class WallSizer {
     std::size_t facet;
     int face;
     Vec3 direction;  ///< unit, away from the sheet
+    int region;      ///< that it goes into
     double n;        ///< elements across
     Wisher who;
   };
@@ -115,13 +129,13 @@ class WallSizer {
     std::size_t seen = 0;
     crowded_ = model_.bvh().any_in_box(swept(corners, probe), [&](std::uint32_t t) {
       const std::array<Vec3, 3> c = facet_corners(facets_, t);
-      Ahead facet{t, is_sheet(c, t, probe), {}};
+      Ahead facet{t, is_sheet(t, probe), {}};
       double height = 0.0;
       for (const Vec3& corner : c) {
         facet.box.add(corner);
         height = std::max(height, (corner - corners[0]).dot(probe.direction));
       }
-      if (t == probe.facet || height < 0.5 * model_.tolerance()) return ++seen > kMany;
+      if (!ends(t, probe) || height < 0.5 * model_.tolerance()) return ++seen > kMany;
       ahead_.push_back(facet);
       any = any || facet.is_sheet;
       return ++seen > kMany;
@@ -129,11 +143,17 @@ class WallSizer {
     return any || crowded_;
   }
 
-  [[nodiscard]] bool is_sheet(const std::array<Vec3, 3>& c, std::uint32_t t, const Probe& probe) const {
+  /// Whether the facet is another one, and what lies before it is the region of the probe. Facets of one face
+  /// may lie on one another by as much as they deviate.
+  [[nodiscard]] bool ends(std::uint32_t t, const Probe& probe) const {
+    const auto& region = model_.face(facets_.face[t]).region;
+    return t != probe.facet && region[normals_[t].dot(probe.direction) > 0.0 ? 0 : 1] == probe.region;
+  }
+
+  [[nodiscard]] bool is_sheet(std::uint32_t t, const Probe& probe) const {
     const auto& near = neighbours_[static_cast<std::size_t>(probe.face)];
     if (std::binary_search(near.begin(), near.end(), facets_.face[t])) return false;
-    const double facing = (c[1] - c[0]).cross(c[2] - c[0]).normalized().dot(probe.direction);
-    return std::abs(facing) > kFacing;
+    return std::abs(normals_[t].dot(probe.direction)) > kFacing;
   }
 
   /// Length along the probe's direction to the next facet ahead from number `first` on, infinite where that
@@ -146,7 +166,7 @@ class WallSizer {
       std::uint32_t facet = 0;
       for (double length = reach / 64.0; !(nearest <= length) && length <= reach; length *= 8.0)
         nearest = first_along(p, length * probe.direction, probe, facet);
-      is_sheet = nearest <= reach && this->is_sheet(facet_corners(facets_, facet), facet, probe);
+      is_sheet = nearest <= reach && this->is_sheet(facet, probe);
     }
     for (std::size_t n = first; n < ahead_.size() && !crowded_; ++n) {
       const double s = along(p, probe.direction, ahead_[n].facet);
@@ -162,7 +182,7 @@ class WallSizer {
                                    std::uint32_t& facet) const {
     double nearest = kNoSize;
     model_.bvh().visit_segment(p, p + way, [&](std::uint32_t t) {
-      const double s = t == probe.facet ? kNoSize : along(p, probe.direction, t);
+      const double s = ends(t, probe) ? along(p, probe.direction, t) : kNoSize;
       if (s > nearest || (s == nearest && t > facet)) return;
       nearest = s;
       facet = t;
@@ -231,6 +251,7 @@ class WallSizer {
 
   const Model& model_;
   const Facets& facets_;
+  const std::vector<Vec3>& normals_;
   WallOptions options_;
   Wishes wishes_;
   std::vector<std::vector<int>> neighbours_;  ///< per face: those that share an edge with it, ascending
@@ -249,11 +270,13 @@ std::vector<SizeSample> wall_sizes(const Model& model, const WallOptions& option
   constexpr std::size_t kStride = 64, kCountless = 1000 * kStride;
   WallOptions share = options;
   share.budget *= 2.0 / kStride;
+  const std::vector<Vec3> normals = sheet_normals(model);
   for (;; tried.min_size *= 2.0) {
     if (tried.min_size >= options.size) return {};
     share.min_size = tried.min_size;
-    if (model.facets().triangles.size() > kCountless && !WallSizer(model, share).run(kStride)) continue;
-    if (auto samples = WallSizer(model, tried).run()) return *std::move(samples);
+    if (model.facets().triangles.size() > kCountless && !WallSizer(model, share, normals).run(kStride))
+      continue;
+    if (auto samples = WallSizer(model, tried, normals).run()) return *std::move(samples);
   }
 }
 

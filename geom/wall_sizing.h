@@ -21,9 +21,9 @@ struct WallOptions {
 
 /// Wishes for thickness / n, through the whole thickness, in a deterministic order.
 ///
-/// The thickness at a point of a face is the distance along its normal to the next sheet that faces it
-/// (normals at more than 135 degrees), by the facets. Faces that share an edge are no wall: the thickness of
-/// a knife has no lower bound. Within the budget the smallest size is doubled until the wishes fit.
+/// The thickness at a point of a face is the distance along its surface's normal to the next sheet that faces
+/// it (normals at more than 135 degrees), by the facets. Faces that share an edge are no wall: the thickness
+/// of a knife has no lower bound. Within the budget the smallest size is doubled until the wishes fit.
 [[nodiscard]] std::vector<SizeSample> wall_sizes(const Model& model, const WallOptions& options);
 
 }  // namespace octet

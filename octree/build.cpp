@@ -116,11 +116,10 @@ void split_for_samples(SplitKeys& splits, const Root& root, std::span<const Size
     int level = 0;
     while (level <= kDeepestLevel && root.length(level) > sample.size * kSizeSlack) ++level;
     if (level > kDeepestLevel) {
-      throw LimitError(fmt::format(
-          "a local size of {:g} at ({:g}, {:g}, {:g}) is too small: the finest octants have length {:g}, set "
-          "a larger "
-          "minimum size",
-          sample.size, sample.place.x(), sample.place.y(), sample.place.z(), root.length(kDeepestLevel)));
+      throw LimitError(
+          fmt::format("a local size of {:g} is too small: the finest octants have length {:g}, set a larger "
+                      "minimum size",
+                      sample.size, root.length(kDeepestLevel)));
     }
     if (level == 0) continue;
     const MortonKey cell = morton_key(root.cell_of(sample.place));

@@ -44,7 +44,7 @@ class OcctCurve final : public Curve {
   Vec3 point(double t) const override { return jets_.evaluate(t, 0).p; }
   Vec3 derivative(double t) const override { return jets_.evaluate(t, 1).d1; }
   double project(const Vec3& p, double hint) const override;
-  void cut(int axis, double value, std::vector<double>& parameters) const override;
+  void cut(const Vec3& normal, double offset, std::vector<double>& parameters) const override;
   const char* kind() const override { return "free"; }
 
  private:
@@ -65,8 +65,10 @@ class OcctCurve final : public Curve {
   };
   [[nodiscard]] Nearest refine_around(std::size_t where, const Vec3& p, double hint) const;
   [[nodiscard]] double refine(const Vec3& p, double t, double lo, double hi) const;
-  [[nodiscard]] double root(int axis, double value, double a, double b) const;
-  void cut_piece(int axis, double value, double a, double b, std::vector<double>& parameters) const;
+  [[nodiscard]] bool lies_in_plane(const Vec3& normal) const;
+  [[nodiscard]] double root(const Vec3& normal, double offset, double a, double b) const;
+  void cut_piece(const Vec3& normal, double offset, double a, double b,
+                 std::vector<double>& parameters) const;
 
   CurveJets jets_;
   double t0_, t1_;
@@ -166,12 +168,12 @@ OcctCurve::Nearest OcctCurve::refine_around(std::size_t where, const Vec3& p, do
   return nearest;
 }
 
-double OcctCurve::root(int axis, double value, double a, double b) const {
-  double fa = point(a)[axis] - value;
+double OcctCurve::root(const Vec3& normal, double offset, double a, double b) const {
+  double fa = point(a).dot(normal) - offset;
   double t = 0.5 * (a + b);
   for (int iteration = 0; iteration < kRootIterations; ++iteration) {
     const CurveJet at = jets_.evaluate(t, 1);
-    const double f = at.p[axis] - value, slope = at.d1[axis];
+    const double f = at.p.dot(normal) - offset, slope = at.d1.dot(normal);
     if (f == 0.0) return t;
     if ((f > 0.0) == (fa > 0.0)) {
       a = t;
@@ -187,28 +189,36 @@ double OcctCurve::root(int axis, double value, double a, double b) const {
   return t;
 }
 
-/// A piece turns little: at most one extremum of the coordinate, found where its derivative changes sign.
-void OcctCurve::cut_piece(int axis, double value, double a, double b, std::vector<double>& parameters) const {
-  const double fa = point(a)[axis] - value, fb = point(b)[axis] - value;
+/// Or in a parallel one.
+bool OcctCurve::lies_in_plane(const Vec3& normal) const {
+  const double height = sample_.front().dot(normal);
+  return std::all_of(sample_.begin(), sample_.end(),
+                     [&](const Vec3& p) { return std::abs(p.dot(normal) - height) <= kNoExtent * scale_; });
+}
+
+/// A piece turns little: at most one extremum of the height, found where its derivative changes sign.
+void OcctCurve::cut_piece(const Vec3& normal, double offset, double a, double b,
+                          std::vector<double>& parameters) const {
+  const double fa = point(a).dot(normal) - offset, fb = point(b).dot(normal) - offset;
   if (fa == 0.0) parameters.push_back(a);
   if (fb == 0.0 && b == t1_) parameters.push_back(b);
   if (fa == 0.0 || fb == 0.0) return;
   if ((fa > 0.0) != (fb > 0.0)) {
-    parameters.push_back(root(axis, value, a, b));
+    parameters.push_back(root(normal, offset, a, b));
     return;
   }
   double lo = a, hi = b;
-  const double slope_a = derivative(a)[axis];
-  if (slope_a * derivative(b)[axis] >= 0.0 || slope_a * fa >= 0.0) return;
+  const double slope_a = derivative(a).dot(normal);
+  if (slope_a * derivative(b).dot(normal) >= 0.0 || slope_a * fa >= 0.0) return;
   for (int iteration = 0; iteration < kRootIterations; ++iteration) {
     const double middle = 0.5 * (lo + hi);
-    const double f = point(middle)[axis] - value;
+    const double f = point(middle).dot(normal) - offset;
     if ((f > 0.0) != (fa > 0.0)) {
-      parameters.push_back(root(axis, value, a, middle));
-      parameters.push_back(root(axis, value, middle, b));
+      parameters.push_back(root(normal, offset, a, middle));
+      parameters.push_back(root(normal, offset, middle, b));
       return;
     }
-    if (derivative(middle)[axis] * slope_a > 0.0) {
+    if (derivative(middle).dot(normal) * slope_a > 0.0) {
       lo = middle;
     } else {
       hi = middle;
@@ -216,21 +226,21 @@ void OcctCurve::cut_piece(int axis, double value, double a, double b, std::vecto
   }
 }
 
-void OcctCurve::cut(int axis, double value, std::vector<double>& parameters) const {
-  // A curve in the plane (or off it, parallel) has no cut of its own.
-  if (box_.size()[axis] <= kNoExtent * scale_) return;
+void OcctCurve::cut(const Vec3& normal, double offset, std::vector<double>& parameters) const {
+  if (lies_in_plane(normal)) return;
+  const std::size_t first = parameters.size();
   for (std::size_t block = 0; block < blocks_.size(); ++block) {
     const Block& b = blocks_[block];
-    if (value < b.samples.lo[axis] - b.bulge || value > b.samples.hi[axis] + b.bulge) continue;
+    const double reach = 0.5 * b.samples.size().dot(normal.cwiseAbs()) + b.bulge;
+    if (std::abs(b.samples.centre().dot(normal) - offset) > reach) continue;
     for (std::size_t i = kBlock * block; i < end_of(kBlock * block); ++i) {
-      const double lo = std::min(sample_[i][axis], sample_[i + 1][axis]);
-      const double hi = std::max(sample_[i][axis], sample_[i + 1][axis]);
+      const auto [lo, hi] = std::minmax({sample_[i].dot(normal), sample_[i + 1].dot(normal)});
       const double bulge = kTurn * (sample_[i + 1] - sample_[i]).norm();
-      if (value < lo - bulge || value > hi + bulge) continue;
-      cut_piece(axis, value, sample_t_[i], sample_t_[i + 1], parameters);
+      if (offset < lo - bulge || offset > hi + bulge) continue;
+      cut_piece(normal, offset, sample_t_[i], sample_t_[i + 1], parameters);
     }
   }
-  std::sort(parameters.begin(), parameters.end());
+  std::sort(parameters.begin() + static_cast<std::ptrdiff_t>(first), parameters.end());
 }
 
 }  // namespace

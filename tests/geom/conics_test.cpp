@@ -64,7 +64,7 @@ TEST(Conics, CutsAreWhereTheCoordinateChangesSign) {
       for (int i = 0; i < 100; ++i) {
         const double value = c.curve->point(dice(c.t0, c.t1))[axis] + dice(-0.3, 0.3);
         std::vector<double> cuts;
-        c.curve->cut(axis, value, cuts);
+        c.curve->cut(Vec3::Unit(axis), value, cuts);
         EXPECT_TRUE(std::is_sorted(cuts.begin(), cuts.end()));
         for (const double t : cuts) ASSERT_NEAR(c.curve->point(t)[axis], value, 1e-13);
         std::size_t changes = 0;
@@ -83,10 +83,10 @@ TEST(Conics, CutsAreWhereTheCoordinateChangesSign) {
 TEST(Conics, TouchingPlaneCutsACircleOnce) {
   const auto circle = make_circle({}, 1.0, 0.0, kTwoPi);
   std::vector<double> cuts;
-  circle->cut(1, 1.0, cuts);
+  circle->cut(Vec3::UnitY(), 1.0, cuts);
   ASSERT_EQ(cuts.size(), 1u);
   EXPECT_NEAR(cuts[0], 0.5 * std::numbers::pi, 1e-15);
-  circle->cut(2, 0.0, cuts);  // the circle lies in the plane: no cut of its own
+  circle->cut(Vec3::UnitZ(), 0.0, cuts);  // the circle lies in the plane: no cut of its own
   EXPECT_EQ(cuts.size(), 1u);
 }
 
@@ -125,7 +125,7 @@ class Helix final : public Curve {
     }
     return t;
   }
-  void cut(int, double, std::vector<double>&) const override {}
+  void cut(const Vec3&, double, std::vector<double>&) const override {}
   const char* kind() const override { return "helix"; }
 };
 

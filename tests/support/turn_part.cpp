@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Writes a part turned at random about its middle as OCCT BREP: octet_turn_part FILE OUTPUT.brep SEED.
 #include <BRepBndLib.hxx>
-#include <BRepBuilderAPI_Transform.hxx>
 #include <BRepTools.hxx>
 #include <Bnd_Box.hxx>
 #include <Message.hxx>
@@ -43,7 +42,7 @@ int main(int argc, char** argv) {
     to_origin.SetTranslation(gp_Vec(middle.Reversed()));
     turn.SetRotation(random_rotation(static_cast<unsigned>(std::strtoul(argv[3], nullptr, 10))));
     back.SetTranslation(gp_Vec(middle));
-    const TopoDS_Shape turned = BRepBuilderAPI_Transform(part, back * turn * to_origin, true).Shape();
+    const TopoDS_Shape turned = part.Moved(back * turn * to_origin);
     return BRepTools::Write(turned, argv[2]) ? 0 : 1;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "octet_turn_part: %s\n", error.what());

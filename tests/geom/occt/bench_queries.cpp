@@ -183,7 +183,7 @@ void cut(Bench& bench, std::size_t i) {
   static thread_local std::vector<double> at;
   at.clear();
   const PlaneCut& c = bench.cuts[i % bench.cuts.size()];
-  bench.part.model.curve(c.edge).cut(c.axis, c.value, at);
+  bench.part.model.curve(c.edge).cut(Vec3::Unit(c.axis), c.value, at);
   benchmark::DoNotOptimize(at.data());
 }
 

@@ -173,12 +173,12 @@ TEST(FreeCurve, CutFindsBothCrossingsAndTheirPlaces) {
   const auto arc = nurbs_arc();
   for (const double y : {1.9, 1.99, 1.9999, 1.999999}) {
     std::vector<double> parameters;
-    arc->cut(1, y, parameters);
+    arc->cut(Vec3::UnitY(), y, parameters);
     ASSERT_EQ(parameters.size(), 2u) << y;
     for (const double t : parameters) EXPECT_NEAR(arc->point(t).y(), y, 1e-12);
   }
   std::vector<double> none;
-  arc->cut(1, 2.0 + 1e-9, none);
+  arc->cut(Vec3::UnitY(), 2.0 + 1e-9, none);
   EXPECT_TRUE(none.empty());
 }
 

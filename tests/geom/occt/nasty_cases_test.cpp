@@ -459,7 +459,7 @@ TEST(NastyCases, PlanesCutEdgesWhereTheyCross) {
       if (model.edge(tag).length < 3.0 * unit) continue;  // the seam
       const auto cuts = [&](double y) {
         std::vector<double> at;
-        model.curve(tag).cut(1, origin.y() + y * unit, at);
+        model.curve(tag).cut(Vec3::UnitY(), origin.y() + y * unit, at);
         for (const double t : at)
           EXPECT_NEAR(model.edge_point(tag, t).y(), origin.y() + y * unit, 1e-9 * unit + 1e-10);
         return at.size();

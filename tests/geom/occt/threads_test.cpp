@@ -67,7 +67,7 @@ Bits answer(const Model& model, const Question& ask) {
   bits.push_back(static_cast<std::uint64_t>(model.face_side(ask.face, ask.seed)));
   note(bits, model.edge_closest(ask.edge, x).t);
   std::vector<double> cuts;
-  model.curve(ask.edge).cut(ask.axis, x[ask.axis], cuts);
+  model.curve(ask.edge).cut(Vec3::Unit(ask.axis), x[ask.axis], cuts);
   for (const double t : cuts) note(bits, t);
   const double thin = 0.05 * model.diagonal();
   if (const auto b = opposite_point(model, foot.point, ask.face, foot.normal, -1, thin)) note(bits, b->point);

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a part gets does not depend on how it lies.
+#include "app/own_frame.h"
+
+#include <gtest/gtest.h>
+
+#include "geom/analytic.h"
+
+namespace octet {
+namespace {
+
+AnalyticOptions turned_far(double angle = 0.7) {
+  AnalyticOptions options;
+  options.frame.origin = Vec3(5.0, -7.0, 11.0);
+  options.frame.axes =
+      (Eigen::AngleAxisd(angle, Vec3(1, 2, 3).normalized()) * Eigen::AngleAxisd(-1.1, Vec3::UnitX()))
+          .toRotationMatrix();
+  return options;
+}
+
+void expect_same(const Model& one, const Model& other) {
+  const MeshResult a = mesh_part(one), b = mesh_part(other);
+  EXPECT_EQ(a.report.status, MeshStatus::kComplete);
+  EXPECT_EQ(b.report.status, MeshStatus::kComplete);
+  EXPECT_NEAR(a.report.size, b.report.size, 1e-3 * a.report.size);
+  EXPECT_NEAR(static_cast<double>(a.report.tets), static_cast<double>(b.report.tets),
+              0.03 * static_cast<double>(a.report.tets));
+}
+
+TEST(OwnFrame, HoweverAPartIsTurnedItGetsTheSameSizeAndElements) {
+  expect_same(analytic_box(Vec3(1, 2, 3), turned_far(2.0)), analytic_box(Vec3(1, 2, 3), turned_far()));
+  expect_same(analytic_box(Vec3(3, 3, 0.25), turned_far(2.0)), analytic_box(Vec3(3, 3, 0.25), turned_far()));
+  expect_same(analytic_cone(1.0, 2.0, turned_far(2.0)), analytic_cone(1.0, 2.0, turned_far()));
+}
+
+TEST(OwnFrame, NothingIsTurnedAlongTheAxesOrWithSizesOverSpace) {
+  const Model still = analytic_box(Vec3(1, 3, 2));
+  const OwnFrame standing(still, {});
+  EXPECT_EQ(&standing.model(), &still);
+  const Model turned = analytic_box(Vec3(1, 3, 2), turned_far());
+  EXPECT_NE(&OwnFrame(turned, {}).model(), &turned);
+  MeshOptions options;
+  options.attributes.push_back(parse_size_attribute("ball:5,-7,11,1=0.2"));
+  const OwnFrame over_space(turned, options);
+  EXPECT_EQ(&over_space.model(), &turned);
+}
+
+TEST(OwnFrame, TheEntityNearestToAPlaceIsTheSame) {
+  const Model turned = analytic_box(Vec3(1, 3, 2), turned_far());
+  MeshOptions options;
+  const Vec3 place = turned.face_closest(3, turned.box().centre()).point;
+  SizeAttribute nearest;
+  nearest.where = SizeAttribute::Where::kNearest;
+  nearest.dim = 2;
+  nearest.a = place;
+  nearest.size = 0.1;
+  options.attributes.push_back(nearest);
+  const OwnFrame frame(turned, options);
+  EXPECT_EQ(selected_entities(frame.model(), frame.options().attributes.front()),
+            selected_entities(turned, nearest));
+  EXPECT_LT((frame.to_part(frame.to_model(place)) - place).norm(), 1e-13);
+}
+
+}  // namespace
+}  // namespace octet
