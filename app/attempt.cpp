@@ -91,10 +91,10 @@ void cut_tree(Attempt& attempt, const Model& model, const std::function<bool()>&
   attempt.labels = label_vertices(model, attempt.tree, attempt.vertices, types, attempt.cuts);
 }
 
-void place_points(Attempt& attempt, const Model& model, double size, const std::function<bool()>& cancelled) {
-  attempt.seeds =
-      seed_points(model, attempt.tree, attempt.vertices, attempt.labels, attempt.cuts, size, cancelled);
-  attempt.split = split_interior(model, attempt.tree, attempt.vertices, attempt.labels, attempt.seeds, size);
+void place_points(Attempt& attempt, const Model& model, const SeedOptions& options) {
+  attempt.seeds = seed_points(model, attempt.tree, attempt.vertices, attempt.labels, attempt.cuts, options);
+  attempt.split =
+      split_interior(model, attempt.tree, attempt.vertices, attempt.labels, attempt.seeds, options.size);
 }
 
 void triangulate(Attempt& attempt, const Model& model) {

@@ -41,8 +41,7 @@ struct Attempt {
 
 /// The steps, in this order. `cancelled` is as in cut_octant_edges().
 void cut_tree(Attempt& attempt, const Model& model, const std::function<bool()>& cancelled = {});
-void place_points(Attempt& attempt, const Model& model, double size,
-                  const std::function<bool()>& cancelled = {});
+void place_points(Attempt& attempt, const Model& model, const SeedOptions& options);
 void triangulate(Attempt& attempt, const Model& model);
 void classify(Attempt& attempt, const Model& model, double size, AttributeLimits limits, Observer& observer);
 

@@ -37,6 +37,9 @@ constexpr std::size_t kCheapTree = 20'000;
 constexpr std::size_t kHopelessGaps = 1000;
 /// How often a mesh without gaps that fails a claim is made again with smaller octants at its faults.
 constexpr int kSecondTries = 3;
+/// Where gaps survive, octree vertices keep farther off: middle layers of walls, which the nearer ones are
+/// for, are worth less than holes that close.
+constexpr double kRoomyClearance = 0.6;
 /// Attribute points for the gaps of one octant. Where gaps closed, in eight parts with small features, no
 /// octant took more than 23; where they did not, octants took hundreds.
 constexpr std::size_t kPointsPerOctant = 60;
@@ -119,6 +122,7 @@ class Run {
       result_.report.warnings.push_back(warning_of(gap));
     refuse_crossings();
     octant_ = octant_request(plan_).size;
+    seeds_ = {octant_, SeedOptions{}.octree_clearance, options_.cancelled};
   }
 
   /// A boundary that crosses itself within the size bounds nothing; what the size cannot tell apart is tried.
@@ -158,6 +162,7 @@ class Run {
         finer = subdivide_at_gaps(*next, model_, 0.5 * finest_octant());
       if (finer && depth - best >= kPatience && finer->size() > kCheapTree) finer.reset();
       if (finer && !wish_) wish_ = next->tree;
+      seeds_.octree_clearance = kRoomyClearance;
       if (finer)
         observer_.note(fmt::format("{} gaps left: their octants subdivided, {} octants now",
                                    next->closed.gaps.size(), finer->size()));
@@ -191,7 +196,7 @@ class Run {
     for (const Fault& fault : next->labels.conflicts) observer_.note("parity: " + fault.cause);
     check_limit(*next);
     begin("points", 0.2);
-    place_points(*next, model_, octant_, options_.cancelled);
+    place_points(*next, model_, seeds_);
     observer_.note(fmt::format("points: {} on the boundary, {} in all, {} triangulated; {} template octants",
                                next->seeds.surface_points, next->seeds.points.size(), next->split.band.size(),
                                next->split.templates));
@@ -330,6 +335,7 @@ class Run {
   std::size_t stage_ = std::numeric_limits<std::size_t>::max();  ///< index of the running stage's time
   std::unique_ptr<Attempt> band_;
   std::vector<int> broken_;  ///< regions left out
+  SeedOptions seeds_;
   bool gaps_left_ = false;
   std::vector<Fault>
       crossings_;               ///< of faces, too shallow for the size to tell: why gaps are left, if any are

@@ -10,7 +10,6 @@ namespace octet {
 
 /// Shares of the local size; the values are those of the scan in docs/ARCHITECTURE.md ("Thinning").
 inline constexpr double kFaceSpacing = 0.68;   ///< between points in the closure of one face
-inline constexpr double kOctreeSpacing = 0.4;  ///< between an octree vertex and the surface or another point
 inline constexpr double kMatchDistance = 0.7;  ///< sheets and edges closer than this get matched pairs
 
 struct SeedState {
@@ -43,9 +42,9 @@ void seed_model_edges(SeedState& state);
 /// Points on the model faces: octant-edge cuts by spacing within the face's closure, in matched pairs.
 void seed_model_faces(SeedState& state, const std::vector<OctantEdgeCut>& cuts,
                       const std::function<bool()>& cancelled);
-/// Octree vertices away from the surface; outside ones only in narrow gaps, and pillars for octants of that
-/// length everywhere.
+/// Octree vertices away from the surface; outside ones only in narrow gaps, and pillars for octants of the
+/// size asked for everywhere.
 void seed_octree_vertices(SeedState& state, const OctreeVertices& vertices, const OctreeLabels& labels,
-                          double length);
+                          const SeedOptions& options);
 
 }  // namespace octet

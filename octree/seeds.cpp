@@ -14,13 +14,13 @@
 namespace octet {
 
 Seeds seed_points(const Model& model, const Octree& tree, const OctreeVertices& vertices,
-                  const OctreeLabels& labels, const std::vector<OctantEdgeCut>& cuts, double size,
-                  const std::function<bool()>& cancelled) {
-  SeedState state(model, tree, size);
+                  const OctreeLabels& labels, const std::vector<OctantEdgeCut>& cuts,
+                  const SeedOptions& options) {
+  SeedState state(model, tree, options.size);
   seed_model_vertices(state);
   seed_model_edges(state);
-  seed_model_faces(state, cuts, cancelled);
-  seed_octree_vertices(state, vertices, labels, size);
+  seed_model_faces(state, cuts, options.cancelled);
+  seed_octree_vertices(state, vertices, labels, options);
   return std::move(state.seeds);
 }
 
@@ -134,8 +134,8 @@ class Vagueness {
 }  // namespace
 
 void seed_octree_vertices(SeedState& state, const OctreeVertices& vertices, const OctreeLabels& labels,
-                          double length) {
-  const Lattice::value_type spacing = pillar_spacing(state.tree, length);
+                          const SeedOptions& options) {
+  const Lattice::value_type spacing = pillar_spacing(state.tree, options.size);
   Seeds& seeds = state.seeds;
   const Surroundings around = surroundings(state.tree, vertices, labels);
   const std::vector<std::uint8_t>& ring = around.ring;
@@ -145,12 +145,12 @@ void seed_octree_vertices(SeedState& state, const OctreeVertices& vertices, cons
     return kSpacingPerOctant * state.tree.length(vertices.finest_level[v]);
   };
   const auto is_vague = [&](std::uint32_t v) {
-    return vagueness.covers(state.tree.position(vertices.at[v]), kOctreeSpacing * spacing_at(v));
+    return vagueness.covers(state.tree.position(vertices.at[v]), options.octree_clearance * spacing_at(v));
   };
   // Octree vertices are on a lattice of their own spacing: only points placed before them can be too close.
   const auto is_clear = [&](std::uint32_t v) {
     const Vec3 p = state.tree.position(vertices.at[v]);
-    const double clear = kOctreeSpacing * spacing_at(v);
+    const double clear = options.octree_clearance * spacing_at(v);
     return !state.points_grid.any_within(p, clear, [](std::uint32_t, double) { return true; }) &&
            !(ring[v] == 0 && state.model.closest(p, clear)) && !is_vague(v);
   };

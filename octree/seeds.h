@@ -2,6 +2,7 @@
 // The first point set: by priority and spacing, in matched pairs where sheets face each other.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "base/seed_points.h"
@@ -18,11 +19,17 @@ struct Seeds {
   std::vector<std::uint32_t> octree_point;  ///< per octree vertex: its seed number, UINT32_MAX when dropped
 };
 
+struct SeedOptions {
+  double size = 0.0;  ///< the size asked for
+  double octree_clearance =
+      0.4;  ///< between an octree vertex and the surface or another point, in local sizes
+  std::function<bool()> cancelled = {};  ///< as in cut_octant_edges()
+};
+
 /// Points by priority: model vertices, model edges, faces (cuts), octree vertices [Schroeder & Shephard 1990,
-/// "Octant element generation"; Handbook 15.5.2.2; departures in docs/ARCHITECTURE.md]. `size` is the size
-/// asked for; `cancelled` is as in cut_octant_edges().
+/// "Octant element generation"; Handbook 15.5.2.2; departures in docs/ARCHITECTURE.md].
 [[nodiscard]] Seeds seed_points(const Model& model, const Octree& tree, const OctreeVertices& vertices,
                                 const OctreeLabels& labels, const std::vector<OctantEdgeCut>& cuts,
-                                double size, const std::function<bool()>& cancelled = {});
+                                const SeedOptions& options);
 
 }  // namespace octet

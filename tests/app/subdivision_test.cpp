@@ -34,7 +34,7 @@ TEST(Subdivision, AFaceBetweenTheOctantsIsAGapAndGetsOctantsOfHalfItsExtent) {
   const Model model = void_in_a_box();
   Attempt attempt(unit_octants(model));
   cut_tree(attempt, model);
-  place_points(attempt, model, 1.0);
+  place_points(attempt, model, {1.0});
   triangulate(attempt, model);
   Observer silent;
   AttributeLimits limits;
