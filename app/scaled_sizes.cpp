@@ -16,8 +16,8 @@ constexpr double kSlope = -2.5;  // the first guess of d log(count) / d log(size
 constexpr double kWidestAngle = M_PI / 3.0;
 
 /// What a mesh without a size may be estimated at. Estimates of thin sheets are up to three times the truth,
-/// those of parts with many small features down to seven tenths: meshes have 2 000 to 500 000 elements.
-constexpr double kFewest = 4'000.0, kMost = 360'000.0;
+/// those of parts with many small features down to six tenths: meshes have 2 000 to 500 000 elements.
+constexpr double kFewest = 4'000.0, kMost = 290'000.0;
 
 }  // namespace
 
