@@ -7,7 +7,6 @@
 #include <BRepLib.hxx>
 #include <TopExp.hxx>
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "base/error.h"
@@ -58,24 +57,6 @@ bool has_part(const TopoDS_Shape& solid, const TopoDS_Shape& entity) {
   TopExp::MapShapes(solid, entity.ShapeType(), parts);
   return parts.Contains(entity);
 }
-
-/// Twice the volume over the surface: of a plate that is its thickness.
-double thickness_of(const ModelRegion& region, const ModelParts& parts) {
-  double area = 0.0;
-  for (const int face : region.faces) area += parts.faces[face].area;
-  return 2.0 * std::abs(region.volume) / area;
-}
-
-double widest_gap(const ModelRegion& region, const ModelParts& parts) {
-  double gap = 0.0;
-  for (const int face : region.faces)
-    for (const FaceBoundary& b : parts.faces[face].boundary)
-      gap = std::max(gap, parts.edges[b.edge].tolerance);
-  return gap;
-}
-
-/// Sheets farther apart than so many gaps are told apart.
-constexpr double kClear = 4.0;
 
 class Joiner {
  public:
@@ -131,25 +112,6 @@ class Joiner {
     }
     log_("measuring the entities");
     measure_volumes(part_.numbering, part_.parts);
-    refuse_vague_overlaps();
-  }
-
-  /// ModelError for what two solids fill together where it is hardly thicker than the gaps around it: its
-  /// sheets cannot be told apart.
-  void refuse_vague_overlaps() const {
-    std::vector<int> owners(part_.parts.regions.size(), 0);
-    for (const TopoDS_Shape& solid : healed_.solids)
-      for (const TopoDS_Shape& image : images_of(solid, joined_)) ++owners[part_.numbering.tag(3, image)];
-    for (std::size_t tag = 1; tag < owners.size(); ++tag) {
-      const ModelRegion& region = part_.parts.regions[tag];
-      const double gap = widest_gap(region, part_.parts), thickness = thickness_of(region, part_.parts);
-      if (owners[tag] > 1 && thickness < kClear * gap)
-        throw ModelError(
-            fmt::format("it overlaps another solid by {:.2g} mm, and edges there are up to {:.2g} "
-                        "mm off their faces",
-                        thickness, gap),
-            model_region(static_cast<int>(tag)));
-    }
   }
 
   /// Numbers, topology and facets of the solids as they are now.
