@@ -20,8 +20,8 @@ struct KeptApart {
 };
 
 /// Fuses each group of solids whose boxes meet. Solids in `apart` stay as they are, with faces, edges and
-/// vertices of their own; so do those that are not closed. Where a fuse leaves a solid open, or two solids on
-/// one side of a face, it is tried again with a tolerance, and then without the solids to blame, which are
+/// vertices of their own; so do those that are not closed. Where a fuse leaves a solid open, two solids on
+/// one side of a face or edges that end nowhere, it is tried again with a tolerance, and then without the solids to blame, which are
 /// appended to `apart`.
 void fuse_touching(SolidSet& set, std::vector<KeptApart>& apart);
 

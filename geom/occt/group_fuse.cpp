@@ -14,6 +14,9 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopTools_ListOfShape.hxx>
 #include <TopTools_MapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Vertex.hxx>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -185,6 +188,7 @@ void GroupFuse::count_thin_overlaps(double thin) {
 }
 
 // Surfaces that touch along a line meet nowhere or in places by rounding: the edges found there end nowhere.
+// A closed edge, which may have a vertex to itself, has no ends.
 // Of two solids that one is to blame which shares fewer faces.
 void GroupFuse::find_pieces(const std::vector<TopoDS_Shape>& solids) {
   std::vector<int> shared(images_.size(), 0);
@@ -197,10 +201,12 @@ void GroupFuse::find_pieces(const std::vector<TopoDS_Shape>& solids) {
   for (std::size_t k = 0; k < edges.size(); ++k) {
     const std::array<std::size_t, 2> of{edges.of(k).front(), edges.of(k).back()};
     bool ends = false;
-    for (TopExp_Explorer it(edges.shape(k), TopAbs_VERTEX); it.More(); it.Next())
+    const TopoDS_Edge& edge = TopoDS::Edge(edges.shape(k));
+    if (TopExp::FirstVertex(edge).IsSame(TopExp::LastVertex(edge))) continue;
+    for (TopExp_Explorer it(edge, TopAbs_VERTEX); it.More(); it.Next())
       ends = ends || (now.FindFromKey(it.Current()).Extent() == 1 && !before.Contains(it.Current()));
     if (!ends) continue;
-    FuseConflict conflict{of, middle_of(edges.shape(k)), "they touch along a line that is found in pieces"};
+    FuseConflict conflict{of, middle_of(edge), "they touch along a line that is found in pieces"};
     if (shared[of[0]] != shared[of[1]]) conflict.solids.fill(shared[of[0]] < shared[of[1]] ? of[0] : of[1]);
     conflicts_.push_back(conflict);
   }

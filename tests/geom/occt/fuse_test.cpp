@@ -113,6 +113,17 @@ TEST(Fuse, SolidsThatTouchAlongALineShareNoPiecesOfIt) {
   EXPECT_GT(kept, 0);
 }
 
+TEST(Fuse, AClosedEdgeWithAVertexToItselfIsNoPieceOfALine) {
+  // The cap that they share ends at a circle that the ball's seam does not cross.
+  const gp_Ax2 seam_away(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1), gp_Dir(-1, 0, 0));
+  const TopoDS_Shape block = BRepPrimAPI_MakeBox(gp_Pnt(0.8, -2, -2), gp_Pnt(3, 2, 2)).Shape();
+  SolidSet set = set_of({block, BRepPrimAPI_MakeSphere(seam_away, 1.0).Shape()});
+  std::vector<KeptApart> apart;
+  fuse_touching(set, apart);
+  EXPECT_TRUE(apart.empty());
+  EXPECT_EQ(set.solids.size(), 3u);
+}
+
 TEST(Fuse, ASolidKeptApartSharesNothing) {
   SolidSet set = set_of({box(0, 1), box(1, 2), box(2, 3)});
   std::vector<KeptApart> apart{{2, 2, Vec3::Zero(), "test"}};
