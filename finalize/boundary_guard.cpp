@@ -76,7 +76,8 @@ BoundaryGuard::BoundaryGuard(const Model& model, const WorkMesh& mesh, std::span
   measure_faces(mesh);
 }
 
-void BoundaryGuard::measure_faces(const WorkMesh& mesh) {
+template <class Visit>
+void BoundaryGuard::for_each_curved_triangle(const WorkMesh& mesh, const Visit& visit) const {
   for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
     const TetId t(i);
     if (!mesh.alive(t)) continue;
@@ -86,9 +87,15 @@ void BoundaryGuard::measure_faces(const WorkMesh& mesh) {
       std::array<VertexId, 3> v;
       for (int c = 0; c < 3; ++c) v[c] = mesh.tets[t][kTetFace[f][c]];
       if (mesh.face_on[t][f] < 0) std::swap(v[1], v[2]);
-      at_first_[static_cast<std::size_t>(face)].add(fit(mesh, face, v));
+      visit(face, v);
     }
   }
+}
+
+void BoundaryGuard::measure_faces(const WorkMesh& mesh) {
+  for_each_curved_triangle(mesh, [&](int face, const std::array<VertexId, 3>& v) {
+    at_first_[static_cast<std::size_t>(face)].add(fit(mesh, face, v));
+  });
 }
 
 Seat BoundaryGuard::project(const WorkMesh& mesh, VertexId v, int face) const {
@@ -98,15 +105,9 @@ Seat BoundaryGuard::project(const WorkMesh& mesh, VertexId v, int face) const {
 
 void BoundaryGuard::seat_all(const WorkMesh& mesh) {
   std::vector<std::pair<VertexId, int>> wanted;  // on curved faces
-  for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
-    const TetId t(i);
-    if (!mesh.alive(t)) continue;
-    for (int f = 0; f < 4; ++f) {
-      const int face = std::abs(mesh.face_on[t][f]);
-      if (face == 0 || planar(face)) continue;
-      for (const int c : kTetFace[f]) wanted.emplace_back(mesh.tets[t][c], face);
-    }
-  }
+  for_each_curved_triangle(mesh, [&](int face, const std::array<VertexId, 3>& v) {
+    for (const VertexId corner : v) wanted.emplace_back(corner, face);
+  });
   std::sort(wanted.begin(), wanted.end());
   wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
   std::vector<Seat> seats(wanted.size());

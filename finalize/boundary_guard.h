@@ -103,6 +103,9 @@ class BoundaryGuard {
   };
 
   void seat_all(const WorkMesh& mesh);
+  /// visit(face, corners) for each triangle on a face that is no plane, as the face is turned.
+  template <class Visit>
+  void for_each_curved_triangle(const WorkMesh& mesh, const Visit& visit) const;
   void measure_faces(const WorkMesh& mesh);
   [[nodiscard]] Seat project(const WorkMesh& mesh, VertexId v, int face) const;
 
