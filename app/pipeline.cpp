@@ -37,8 +37,8 @@ constexpr std::size_t kCheapTree = 20'000;
 constexpr std::size_t kHopelessGaps = 1000;
 /// How often a mesh without gaps that fails a claim is made again with smaller octants at its faults.
 constexpr int kSecondTries = 3;
-/// Where gaps survive, octree vertices keep farther off: middle layers of walls, which the nearer ones are
-/// for, are worth less than holes that close.
+/// In attempts after the first octree vertices keep farther off: middle layers of walls, which the nearer
+/// ones are for, are worth less than holes that close and claims that hold.
 constexpr double kRoomyClearance = 0.6;
 /// Attribute points for the gaps of one octant. Where gaps closed, in eight parts with small features, no
 /// octant took more than 23; where they did not, octants took hundreds.
@@ -122,7 +122,8 @@ class Run {
       result_.report.warnings.push_back(warning_of(gap));
     refuse_crossings();
     octant_ = octant_request(plan_).size;
-    seeds_ = {octant_, SeedOptions{}.octree_clearance, options_.cancelled};
+    seeds_.size = octant_;
+    seeds_.cancelled = options_.cancelled;
   }
 
   /// A boundary that crosses itself within the size bounds nothing; what the size cannot tell apart is tried.
