@@ -17,64 +17,85 @@ namespace {
 
 using Triple = std::array<std::uint32_t, 3>;
 
-struct FaceSlot {
-  Triple key;
-  std::uint32_t tet;
-  std::uint8_t face;
-  bool odd;
+/// The vertices of face f of t in ascending order, and whether its outward listing is odd.
+struct FaceName {
+  Triple key{};
+  bool odd = false;
 };
 
-/// All faces of the tetrahedra, sorted by their vertices: a counting sort on the smallest vertex, then each
-/// short bucket.
-std::vector<FaceSlot> sorted_faces(const Mesh& mesh) {
-  std::vector<std::uint32_t> start(mesh.points.size() + 1, 0);
-  const auto smallest = [](const std::array<Mesh::Index, 4>& v, int f) {
-    return std::min({v[kTetFace[f][0]], v[kTetFace[f][1]], v[kTetFace[f][2]]});
-  };
-  for (const auto& v : mesh.tets) {
-    for (int f = 0; f < 4; ++f) ++start[smallest(v, f) + 1];
+FaceName name_of(const WorkMesh& work, TetId t, int f) {
+  FaceName name;
+  for (int c = 0; c < 3; ++c) name.key[c] = work.tets[t][kTetFace[f][c]].index();
+  name.odd = sort_triple(name.key);
+  return name;
+}
+
+/// Local number of the face of t across which n stands.
+int face_towards(const WorkMesh& work, TetId t, TetId n) {
+  const auto& across = work.neighbours[t];
+  return static_cast<int>(std::find(across.begin(), across.end(), n) - across.begin());
+}
+
+/// The faces met so far, each by its first side, in buckets by the smallest vertex: a dozen each, so that
+/// looking through one is quicker than sorting all.
+class MetFaces {
+ public:
+  explicit MetFaces(const WorkMesh& work) : begin_(work.points.size() + 1, 0) {
+    for (const auto& v : work.tets) {
+      for (const auto& f : kTetFace) ++begin_[std::min({v[f[0]], v[f[1]], v[f[2]]}).index() + 1];
+    }
+    for (std::size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
+    sides_.resize(begin_.back());
+    end_.assign(begin_.begin(), begin_.end() - 1);
   }
-  for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
-  std::vector<FaceSlot> faces(4 * mesh.tets.size());
-  std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
-  for (std::uint32_t t = 0; t < mesh.tets.size(); ++t) {
-    const auto& v = mesh.tets[t];
-    for (std::uint8_t f = 0; f < 4; ++f) {
-      Triple key{v[kTetFace[f][0]], v[kTetFace[f][1]], v[kTetFace[f][2]]};
-      const bool odd = sort_triple(key);
-      faces[next[key[0]]++] = {key, t, f, odd};
+
+  struct Side {
+    std::uint64_t rest = 0;  ///< the other two vertices
+    TetId tet;
+    int face = 0;
+  };
+
+  /// Null where the face has not been met.
+  [[nodiscard]] const Side* find(const Triple& key) const {
+    const std::uint64_t rest = rest_of(key);
+    for (std::uint32_t i = begin_[key[0]]; i < end_[key[0]]; ++i)
+      if (sides_[i].rest == rest) return &sides_[i];
+    return nullptr;
+  }
+  void add(const Triple& key, TetId t, int f) { sides_[end_[key[0]]++] = {rest_of(key), t, f}; }
+
+ private:
+  static std::uint64_t rest_of(const Triple& key) { return std::uint64_t{key[1]} << 32 | key[2]; }
+  std::vector<std::uint32_t> begin_, end_;
+  std::vector<Side> sides_;
+};
+
+void link_neighbours(WorkMesh& work, MetFaces& faces) {
+  for (std::size_t i = 0; i < work.tets.size(); ++i) {
+    const TetId t(i);
+    for (int f = 0; f < 4; ++f) {
+      const Triple key = name_of(work, t, f).key;
+      if (const MetFaces::Side* met = faces.find(key)) {
+        work.neighbours[t][f] = met->tet;
+        work.neighbours[met->tet][met->face] = t;
+      } else {
+        faces.add(key, t, f);
+      }
     }
   }
-  tbb::parallel_for(std::size_t{0}, mesh.points.size(), [&](std::size_t v) {
-    std::sort(faces.begin() + start[v], faces.begin() + start[v + 1],
-              [](const FaceSlot& p, const FaceSlot& q) {
-                return std::tie(p.key[1], p.key[2], p.tet) < std::tie(q.key[1], q.key[2], q.tet);
-              });
-  });
-  return faces;
 }
 
-void link_neighbours(WorkMesh& work, const std::vector<FaceSlot>& faces) {
-  for (std::size_t i = 0; i + 1 < faces.size(); ++i) {
-    const FaceSlot &p = faces[i], &q = faces[i + 1];
-    if (p.key != q.key) continue;
-    work.neighbours[TetId(p.tet)][p.face] = TetId(q.tet);
-    work.neighbours[TetId(q.tet)][q.face] = TetId(p.tet);
-    ++i;
-  }
-}
-
-void tag_faces(WorkMesh& work, const Mesh& mesh, const std::vector<FaceSlot>& faces) {
-  const auto less = [](const FaceSlot& p, const Triple& key) { return p.key < key; };
+void tag_faces(WorkMesh& work, const Mesh& mesh, const MetFaces& faces) {
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     Triple key{mesh.triangles[i][0], mesh.triangles[i][1], mesh.triangles[i][2]};
     const bool odd = sort_triple(key);
-    auto slot = std::lower_bound(faces.begin(), faces.end(), key, less);
-    OCTET_CHECK(slot != faces.end() && slot->key == key);
-    for (; slot != faces.end() && slot->key == key; ++slot) {
-      const std::int32_t tag = mesh.triangle_on[i];
-      work.face_on[TetId(slot->tet)][slot->face] = slot->odd == odd ? tag : -tag;
-    }
+    const MetFaces::Side* met = faces.find(key);
+    OCTET_CHECK(met != nullptr);
+    const TetId t = met->tet, n = work.neighbours[t][met->face];
+    const std::int32_t tag =
+        name_of(work, t, met->face).odd == odd ? mesh.triangle_on[i] : -mesh.triangle_on[i];
+    work.face_on[t][met->face] = tag;
+    if (n.valid()) work.face_on[n][face_towards(work, n, t)] = -tag;
   }
 }
 
@@ -234,7 +255,7 @@ WorkMesh to_work_mesh(const Mesh& mesh, std::size_t fixed) {
     const TetId t(i);
     work.quality[t] = shape(work.point(t, 0), work.point(t, 1), work.point(t, 2), work.point(t, 3));
   });
-  const std::vector<FaceSlot> faces = sorted_faces(mesh);
+  MetFaces faces(work);
   link_neighbours(work, faces);
   tag_faces(work, mesh, faces);
   for (std::size_t i = 0; i < mesh.edges.size(); ++i) {
