@@ -39,8 +39,10 @@ bool beyond_border(const Workshop& shop, int face, const Stand& stand) {
 
 /// Triangles of the tetrahedron at the vertex; those with two sides are taken from one of them.
 void collect_triangles(const WorkMesh& mesh, TetId t, VertexId v, std::vector<StarTriangle>& triangles) {
+  const auto& on = mesh.face_on[t];
+  if ((on[0] | on[1] | on[2] | on[3]) == 0) return;
   for (int f = 0; f < 4; ++f) {
-    const std::int32_t tag = mesh.face_on[t][f];
+    const std::int32_t tag = on[f];
     if (tag == 0 || mesh.tets[t][f] == v || (tag < 0 && mesh.neighbours[t][f].valid())) continue;
     int c = 0;
     while (mesh.tets[t][kTetFace[f][c]] != v) ++c;
@@ -53,27 +55,35 @@ void collect_triangles(const WorkMesh& mesh, TetId t, VertexId v, std::vector<St
 
 }  // namespace
 
-void local_star(const Workshop& shop, VertexId v, std::span<const TetId> tets, LocalStar& star) {
-  const WorkMesh& mesh = shop.mesh;
+void local_bases(const WorkMesh& mesh, VertexId v, std::span<const TetId> tets, LocalStar& star) {
   star.on = mesh.on[v];
   star.work = 0;
-  star.bases.clear();
-  star.triangles.clear();
-  star.faces.clear();
-  for (const TetId t : tets) {
+  star.bases.resize(tets.size());
+  for (std::size_t i = 0; i < tets.size(); ++i) {
+    const TetId t = tets[i];
     const auto& f = kTetFace[corner_of(mesh, t, v)];
-    star.bases.add(mesh.point(t, f[0]), mesh.point(t, f[2]), mesh.point(t, f[1]));
-    if (star.on.dim < 3) collect_triangles(mesh, t, v, star.triangles);
+    star.bases.set(i, mesh.point(t, f[0]), mesh.point(t, f[2]), mesh.point(t, f[1]));
   }
   star.bases.close();
   star.length = star.bases.mean_length(mesh.points[v]);
+}
+
+void local_triangles(const Workshop& shop, VertexId v, std::span<const TetId> tets, LocalStar& star) {
+  star.triangles.clear();
+  star.faces.clear();
   if (star.on.dim == 3) return;
+  for (const TetId t : tets) collect_triangles(shop.mesh, t, v, star.triangles);
   Fit before;
   for (const StarTriangle& triangle : star.triangles) {
     if (shop.guard.planar(triangle.face)) continue;
-    before.add(shop.guard.fit(mesh, triangle.face, {v, triangle.rim[0], triangle.rim[1]}));
+    before.add(shop.guard.fit(shop.mesh, triangle.face, {v, triangle.rim[0], triangle.rim[1]}));
   }
   dress_triangles(shop, star, before, star.length);
+}
+
+void local_star(const Workshop& shop, VertexId v, std::span<const TetId> tets, LocalStar& star) {
+  local_bases(shop.mesh, v, tets, star);
+  local_triangles(shop, v, tets, star);
 }
 
 void dress_triangles(const Workshop& shop, LocalStar& star, const Fit& before, double size) {

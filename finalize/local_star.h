@@ -43,6 +43,9 @@ struct LocalStar {
 /// Makes `star` that of a vertex of the mesh; `tets` are the tetrahedra around it. What `star` was does not
 /// matter: it is kept from vertex to vertex for its memory.
 void local_star(const Workshop& shop, VertexId v, std::span<const TetId> tets, LocalStar& star);
+/// Its two halves: what the tetrahedra are asked, then what the triangles are.
+void local_bases(const WorkMesh& mesh, VertexId v, std::span<const TetId> tets, LocalStar& star);
+void local_triangles(const Workshop& shop, VertexId v, std::span<const TetId> tets, LocalStar& star);
 /// Fills rims, normals, faces from `triangles`; `before` is the fit of the triangles to be replaced.
 void dress_triangles(const Workshop& shop, LocalStar& star, const Fit& before, double size);
 

@@ -21,14 +21,15 @@ constexpr double kLongestStep = 0.5;
 constexpr double kNotWorse = 0.9999;
 
 /// The Newton step within what the entity leaves free: space, the tangent plane, the tangent.
-Vec3 newton_step(const Workshop& shop, const LocalStar& star, const Stand& stand, const Distortion& sum) {
+Vec3 newton_step(const Workshop& shop, VertexId v, const Distortion& sum) {
+  const ModelRef on = shop.mesh.on[v];
   const Mat3 hessian = sum.hessian.selfadjointView<Eigen::Upper>();
-  if (star.on.dim == 3) return -hessian.inverse() * sum.gradient;
-  if (star.on.dim == 1) {
-    const Vec3 t = shop.model.edge_derivative(star.on.tag, stand.t).normalized();
+  if (on.dim == 3) return -hessian.inverse() * sum.gradient;
+  if (on.dim == 1) {
+    const Vec3 t = shop.model.edge_derivative(on.tag, shop.guard.parameter(v)).normalized();
     return -t.dot(sum.gradient) / t.dot(hessian * t) * t;
   }
-  const Vec3 normal = shop.guard.planar(star.on.tag) ? star.normals[0][0] : stand.seats[0].second.normal;
+  const Vec3 normal = shop.guard.seat(shop.mesh, v, on.tag).normal;
   Eigen::Matrix<double, 3, 2> plane;
   plane.col(0) = normal.unitOrthogonal();
   plane.col(1) = normal.cross(plane.col(0));
@@ -44,15 +45,16 @@ MeanMove mean_move(const Workshop& shop, VertexId v, std::span<const TetId> tets
   if (!may_move(shop.mesh, v)) return move;
   double worst = 1.0;
   for (const TetId t : tets) worst = std::min(worst, shop.mesh.quality[t]);
-  local_star(shop, v, tets, star);
-  const Stand from = current_stand(shop, v, star);
+  local_bases(shop.mesh, v, tets, star);
   Distortion sum;
   move.work = 3 * star.bases.size();
-  if (!star.bases.differentiate(from.point, sum)) return move;
-  Vec3 step = newton_step(shop, star, from, sum);
+  if (!star.bases.differentiate(shop.mesh.points[v], sum)) return move;
+  Vec3 step = newton_step(shop, v, sum);
   const double length = step.norm() / star.length;
   if (!(length > kLeastStep)) return move;
   if (length > kLongestStep) step *= kLongestStep / length;
+  local_triangles(shop, v, tets, star);
+  const Stand from = current_stand(shop, v, star);
   const StarMeasure bar{std::min(floor, kNotWorse * worst), sum.value};
   for (const double share : {1.0, 0.5, 0.25}) {
     if (probe(shop, star, from, from.point + share * step, bar, move.stand) < 0.0) continue;

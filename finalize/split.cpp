@@ -33,10 +33,11 @@ LocalStar future_star(const Workshop& shop, const EdgeRing& ring, ModelRef on) {
   star.on = on;
   const std::size_t n = ring.rim.size();
   const Vec3 &a = mesh.points[ring.a], &b = mesh.points[ring.b];
+  star.bases.resize(2 * ring.tets.size());
   for (std::size_t i = 0; i < ring.tets.size(); ++i) {
     const Vec3 &c = mesh.points[ring.rim[i]], &d = mesh.points[ring.rim[(i + 1) % n]];
-    star.bases.add(b, d, c);
-    star.bases.add(a, c, d);
+    star.bases.set(2 * i, b, d, c);
+    star.bases.set(2 * i + 1, a, c, d);
   }
   star.bases.close();
   star.length = (b - a).norm();

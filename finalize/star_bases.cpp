@@ -137,7 +137,7 @@ OCTET_WIDE_CLONES double squared_lengths(std::span<const Block> blocks, const Ve
 }  // namespace star_lanes
 
 void StarBases::grow() {
-  blocks_.emplace_back();
+  blocks_.resize((count_ + kLanes - 1) / kLanes);
   shapes_.resize(kLanes * blocks_.size());
 }
 

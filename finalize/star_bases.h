@@ -24,19 +24,20 @@ struct StarMeasure {
 /// registers as wide as the machine has: smoothing spends nearly all of its time here.
 class StarBases {
  public:
-  void clear() { count_ = 0; }
-  void add(const Vec3& x, const Vec3& y, const Vec3& z) {
-    const std::size_t number = count_ / kLanes, lane = count_ % kLanes;
-    ++count_;
-    if (number == blocks_.size()) grow();
-    Block& block = blocks_[number];
+  /// To be followed by `set` for each number below `count`, and then by `close`, before anything is asked.
+  void resize(std::size_t count) {
+    count_ = count;
+    if (blocks_.size() * kLanes < count) grow();
+  }
+  void set(std::size_t number, const Vec3& x, const Vec3& y, const Vec3& z) {
+    const std::size_t lane = number % kLanes;
+    Block& block = blocks_[number / kLanes];
     for (int i = 0; i < 3; ++i) {
       block.x[i][lane] = x[i];
       block.y[i][lane] = y[i];
       block.z[i][lane] = z[i];
     }
   }
-  /// To be called when all are added, before anything is asked.
   void close();
   [[nodiscard]] std::size_t size() const { return count_; }
   [[nodiscard]] std::array<Vec3, 3> operator[](std::size_t i) const;

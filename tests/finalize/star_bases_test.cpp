@@ -18,12 +18,13 @@ struct Star {
       const double x = dice.roll(), y = dice.roll();
       return Vec3(x, y, 0.1 * dice.roll());
     };
+    bases.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
       Vec3 x = roll(), y = roll();
       const Vec3 z = roll();
       if ((y - x).cross(z - x).z() < 0.0) std::swap(x, y);
       corners.push_back({x, y, z});
-      bases.add(x, y, z);
+      bases.set(i, x, y, z);
     }
     bases.close();
   }
@@ -59,7 +60,8 @@ INSTANTIATE_TEST_SUITE_P(Sizes, StarOf, ::testing::Values(1, 4, 5, 23));
 
 TEST(StarBases, AreNotPositiveFromBelowNorFromWithinTheirPlane) {
   StarBases bases;
-  bases.add(Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0));
+  bases.resize(1);
+  bases.set(0, Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0));
   bases.close();
   Distortion sum;
   for (const double height : {0.0, -0.5}) {
@@ -70,17 +72,18 @@ TEST(StarBases, AreNotPositiveFromBelowNorFromWithinTheirPlane) {
 
 TEST(StarBases, WithoutAreaHaveNoShape) {
   StarBases bases;
-  bases.add(Vec3(1, 1, 1), Vec3(1, 1, 1), Vec3(1, 1, 1));
+  bases.resize(1);
+  bases.set(0, Vec3(1, 1, 1), Vec3(1, 1, 1), Vec3(1, 1, 1));
   bases.close();
   EXPECT_EQ(bases.measure(Vec3(1, 1, 1)).worst, 0.0);
   EXPECT_EQ(bases.measure(Vec3(2, 1, 1)).worst, 0.0);
 }
 
-TEST(StarBases, ForgetWhatTheyWereWhenCleared) {
+TEST(StarBases, ForgetWhatTheyWereWhenResized) {
   Star star(7);
-  star.bases.clear();
+  star.bases.resize(1);
   const std::array<Vec3, 3> base{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)};
-  star.bases.add(base[0], base[1], base[2]);
+  star.bases.set(0, base[0], base[1], base[2]);
   star.bases.close();
   ASSERT_EQ(star.bases.size(), 1u);
   const Vec3 place(0.3, 0.3, 0.7);
