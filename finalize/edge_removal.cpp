@@ -109,14 +109,15 @@ Triangulation2D triangulate(const WorkMesh& mesh, const EdgeRing& ring, const Se
   const Vec3 &a = mesh.points[ring.a], &b = mesh.points[ring.b];
   std::array<Vec3, kMaxRim + 1> p;
   for (int i = 0; i < n; ++i) p[i] = mesh.points[sector.rim[i]];
-  std::array<std::array<double, kMaxRim + 1>, kMaxRim + 1> best{};
+  std::array<std::array<double, kMaxRim + 1>, kMaxRim + 1> best;
   Triangulation2D result;
-  const double nothing = aim.mean ? -std::numeric_limits<double>::infinity() : 0.0;
   for (int i = 0; i + 1 < n; ++i) best[i][i + 1] = aim.of_none();
   for (int span = 2; span < n; ++span) {
+    // For the mean, what is of use leaves no more to the other triangles than they can have.
+    const double nothing = aim.mean ? least - 2.0 * (n - 1 - span) * kMeritOfPerfect : 0.0;
     for (int i = 0; i + span < n; ++i) {
       const int j = i + span;
-      best[i][j] = aim.mean && span + 1 == n ? least : nothing;
+      best[i][j] = nothing;
       for (int k = i + 1; k < j; ++k) {
         double value = aim.join(best[i][k], best[k][j]);
         // Worst: a bound; mean: each further tetrahedron adds kMeritOfPerfect at most.
@@ -132,6 +133,8 @@ Triangulation2D triangulate(const WorkMesh& mesh, const EdgeRing& ring, const Se
         best[i][j] = value;
         result.split[i][j] = static_cast<std::int8_t>(k);
       }
+      if (aim.mean && span + 1 < n && best[i][j] == nothing)
+        best[i][j] = -std::numeric_limits<double>::infinity();
     }
   }
   result.value = best[0][n - 1];

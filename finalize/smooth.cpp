@@ -45,9 +45,13 @@ void active_gradients(LocalStar& star, const Vec3& place, double worst, std::vec
 Vec3 steepest_common_ascent(const std::vector<Vec3>& gradients) {
   Vec3 x = gradients[0];
   for (int step = 0; step < 24; ++step) {
-    const Vec3* least = &gradients[0];
+    const Vec3* least = nullptr;
+    double height = std::numeric_limits<double>::infinity();
     for (const Vec3& g : gradients) {
-      if (g.dot(x) < least->dot(x)) least = &g;
+      const double of = g.dot(x);
+      if (of >= height) continue;
+      height = of;
+      least = &g;
     }
     const Vec3 along = *least - x;
     const double gain = -along.dot(x);
