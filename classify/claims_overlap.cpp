@@ -86,7 +86,7 @@ Claim claim_no_overlap(const ClaimInput& in) {
   };
   const auto meetings = [&](std::size_t first, std::size_t last) {
     std::vector<Meeting> met;
-    std::vector<std::uint32_t> near;
+    std::vector<std::pair<std::uint32_t, Box3>> near;
     for (std::size_t i = first, end = first; i < last; i = end) {
       // One search for all sides that run up from a vertex.
       Box3 box;
@@ -94,16 +94,15 @@ Claim claim_no_overlap(const ClaimInput& in) {
         box.add(box_of(in, in.sides[end].v));
       near.clear();
       in.surface.any_in_box(box, [&](std::uint32_t triangle) {
-        near.push_back(triangle);
+        near.emplace_back(triangle, box_of(in, in.mesh.triangles[triangle]));
         return false;
       });
       for (std::size_t n = i; n < end; ++n) {
         const auto& side = in.sides[n].v;
         if (n > 0 && in.sides[n - 1].v == side) continue;
         const Box3 own = box_of(in, side);
-        for (const std::uint32_t triangle : near)
-          if (own.overlaps(box_of(in, in.mesh.triangles[triangle])) &&
-              side_meets(in, side, in.mesh.triangles[triangle]))
+        for (const auto& [triangle, its] : near)
+          if (own.overlaps(its) && side_meets(in, side, in.mesh.triangles[triangle]))
             met.push_back({n, triangle});
       }
     }

@@ -54,6 +54,15 @@ bool segment_meets_triangle(const Vec3& p, const Vec3& q, const Vec3& a, const V
 }
 
 bool segment_enters_triangle(const Vec3& a, const Vec3& q, const Vec3& b, const Vec3& c) {
+  // Doubles tell nearly always that q is off the plane or beside the corner; their error is 1e-14 of the
+  // lengths' product at most.
+  constexpr double kClear = 1e-24;
+  const Vec3 ab = b - a, ac = c - a, aq = q - a, normal = ab.cross(ac);
+  const double ab2 = ab.squaredNorm(), ac2 = ac.squaredNorm(), most = kClear * ab2 * ac2 * aq.squaredNorm();
+  const double above = normal.dot(aq), past_b = normal.dot(aq.cross(ab)), past_c = normal.dot(ac.cross(aq));
+  if (above * above > most || (past_b > 0.0 && past_b * past_b > most * ab2) ||
+      (past_c > 0.0 && past_c * past_c > most * ac2))
+    return false;
   if (orient3d(a, b, c, q) != 0) return false;
   const PlaneView view(a, b, c);
   const int turn = view.orient(a, b, c);
