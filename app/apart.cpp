@@ -14,12 +14,14 @@ namespace {
 
 constexpr std::size_t kFaultsTold = 10;
 
-ModelRef whole_ref(const Body& body, ModelRef ref) {
+const std::vector<int>& whole_tags(const Model& body, std::size_t dim) { return body.parts().whole_tag[dim]; }
+
+ModelRef whole_ref(const Model& body, ModelRef ref) {
   if (!ref.valid() || ref.dim > 3) return ref;
-  return {ref.dim, body.whole_tag[static_cast<std::size_t>(ref.dim)][static_cast<std::size_t>(ref.tag)]};
+  return {ref.dim, whole_tags(body, static_cast<std::size_t>(ref.dim))[static_cast<std::size_t>(ref.tag)]};
 }
 
-void append_mesh(const Body& body, const Mesh& part, Mesh& mesh) {
+void append_mesh(const Model& body, const Mesh& part, Mesh& mesh) {
   const auto first = static_cast<Mesh::Index>(mesh.points.size());
   const auto add = [first](const auto& from, auto& to) {
     for (auto element : from) {
@@ -37,7 +39,7 @@ void append_mesh(const Body& body, const Mesh& part, Mesh& mesh) {
   for (const auto tag : part.tet_in) mesh.tet_in.push_back(whole_ref(body, model_region(tag)).tag);
 }
 
-void append_faults(const Body& body, const std::vector<Fault>& part, std::vector<Fault>& faults) {
+void append_faults(const Model& body, const std::vector<Fault>& part, std::vector<Fault>& faults) {
   for (Fault fault : part) {
     fault.entity = whole_ref(body, fault.entity);
     faults.push_back(std::move(fault));
@@ -45,7 +47,7 @@ void append_faults(const Body& body, const std::vector<Fault>& part, std::vector
 }
 
 /// Claims come in the same order from every body.
-void append_claims(const Body& body, const Acceptance& part, Acceptance& whole) {
+void append_claims(const Model& body, const Acceptance& part, Acceptance& whole) {
   for (const Claim& claim : part.claims) {
     const auto known = std::find_if(whole.claims.begin(), whole.claims.end(),
                                     [&](const Claim& c) { return c.name == claim.name; });
@@ -64,7 +66,7 @@ void append_claims(const Body& body, const Acceptance& part, Acceptance& whole) 
   }
 }
 
-void append_report(const Body& body, const MeshReport& part, MeshReport& report) {
+void append_report(const Model& body, const MeshReport& part, MeshReport& report) {
   if (part.status != MeshStatus::kComplete) report.status = MeshStatus::kIncomplete;
   append_faults(body, part.faults, report.faults);
   append_faults(body, part.warnings, report.warnings);
@@ -114,14 +116,14 @@ struct Place {
 };
 using Places = std::array<std::vector<Place>, 4>;
 
-Places places_of(const Model& model, const std::vector<Body>& bodies) {
+Places places_of(const Model& model, const std::vector<Model>& bodies) {
   Places places;
   for (std::size_t dim = 0; dim < 4; ++dim)
     places[dim].resize(static_cast<std::size_t>(model.count(static_cast<int>(dim))) + 1);
   for (std::size_t b = 0; b < bodies.size(); ++b)
     for (std::size_t dim = 0; dim < 4; ++dim)
-      for (std::size_t tag = 1; tag < bodies[b].whole_tag[dim].size(); ++tag)
-        places[dim][static_cast<std::size_t>(bodies[b].whole_tag[dim][tag])] = {b, static_cast<int>(tag)};
+      for (std::size_t tag = 1; tag < whole_tags(bodies[b], dim).size(); ++tag)
+        places[dim][static_cast<std::size_t>(whole_tags(bodies[b], dim)[tag])] = {b, static_cast<int>(tag)};
   return places;
 }
 
@@ -224,17 +226,17 @@ bool is_meshed_apart(const Model& model) {
 }
 
 MeshResult mesh_apart(const Model& model, const MeshOptions& options, Observer& observer) {
-  const std::vector<Body> bodies = take_apart(model);
+  const std::vector<Model> bodies = take_apart(model);
   const auto attributes = attributes_of(model, places_of(model, bodies), options.attributes, bodies.size());
   MeshOptions each = with_default_size(model, options);
   each.target_elements = 0.0;
   MeshResult whole;
   whole.report.status = MeshStatus::kComplete;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const Body& body = bodies[b];
+    const Model& body = bodies[b];
     each.attributes = attributes[b];
     each.max_elements = options.max_elements - std::min(options.max_elements, whole.report.tets);
-    const MeshResult part = mesh_part(body.model, each, observer);
+    const MeshResult part = mesh_part(body, each, observer);
     whole.report.size = part.report.size;
     append_mesh(body, part.mesh, whole.mesh);
     append_report(body, part.report, whole.report);
@@ -248,14 +250,14 @@ MeshResult mesh_apart(const Model& model, const MeshOptions& options, Observer& 
 }
 
 Acceptance accept_apart(const Mesh& mesh, const Model& model) {
-  const std::vector<Body> bodies = take_apart(model);
+  const std::vector<Model> bodies = take_apart(model);
   const Places places = places_of(model, bodies);
   // A mesh that names what the part has not is no mesh of its bodies: the claims about the whole say why.
   if (!all_known(mesh, places)) return accept_mesh(mesh, model);
   const std::vector<Mesh> meshes = Distribute(mesh, places, bodies.size()).meshes();
   Acceptance whole;
   for (std::size_t b = 0; b < bodies.size(); ++b)
-    append_claims(bodies[b], accept_mesh(meshes[b], bodies[b].model), whole);
+    append_claims(bodies[b], accept_mesh(meshes[b], bodies[b]), whole);
   return whole;
 }
 

@@ -117,6 +117,11 @@ void classify(Attempt& attempt, const Model& model, double size, AttributeLimits
       close_gaps(attempt.triangulation, *attempt.band, *attempt.chains, attempt.on, edges, limits, observer);
 }
 
+void find_all_gaps(Attempt& attempt) {
+  attempt.closed.gaps =
+      find_gaps(*attempt.band, attempt.triangulation.mesh(), attempt.on, *attempt.chains, GapScope::kAll);
+}
+
 std::optional<Octree> subdivide_at_gaps(const Attempt& attempt, const Model& model, double finest) {
   Subdivision subdivision(attempt.tree, finest);
   for (const Gap& gap : attempt.closed.gaps) subdivision.take_around(gap.place);

@@ -45,6 +45,9 @@ void place_points(Attempt& attempt, const Model& model, const SeedOptions& optio
 void triangulate(Attempt& attempt, const Model& model);
 void classify(Attempt& attempt, const Model& model, double size, AttributeLimits limits, Observer& observer);
 
+/// Looks at facets, too, where edges lack pieces: all gaps, in place of the pieces alone.
+void find_all_gaps(Attempt& attempt);
+
 /// The tree with the octants around the gaps that are left, and those whose gaps took many points, refined
 /// once [Schroeder & Shephard 1990, "Octant subdivision"]; octants no longer than `finest` stay. None when
 /// none can be refined.

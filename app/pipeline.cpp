@@ -172,6 +172,7 @@ class Run {
       tree = std::move(*finer);
     }
     gaps_left_ = !band_->closed.gaps.empty();
+    if (gaps_left_) find_all_gaps(*band_);
     broken_ = broken_regions(*band_, model_);
     auto& faults = result_.report.faults;
     faults = describe_left_out(*band_, model_, broken_);

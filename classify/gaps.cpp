@@ -45,9 +45,9 @@ class GapFinder {
   GapFinder(Band& band, const TetMesh& mesh, std::span<const ModelRef> on, const EdgeChains& chains)
       : model_(band.model()), mesh_(mesh), on_(on), chains_(chains), band_(band) {}
 
-  std::vector<Gap> run() {
+  std::vector<Gap> run(GapScope scope) {
     missing_pieces();
-    if (!gaps_.empty()) return std::move(gaps_);
+    if (!gaps_.empty() && scope == GapScope::kPiecesFirst) return std::move(gaps_);
     facets_ = &band_.facets(mesh_, on_);
     for (std::uint32_t n = 0; n < facets_->size(); ++n)
       if ((*facets_)[n].face == 0) add_facet(GapKind::kNoFace, n, ModelRef{});
@@ -115,6 +115,8 @@ class GapFinder {
   void edges() {
     const std::vector<EdgeUseOfFacet> uses = edge_uses(on_.size(), *facets_);
     std::vector<std::uint8_t> seen(chains_.pieces().size(), 0);
+    for (const Gap& missing : gaps_)
+      if (missing.kind == GapKind::kMissingPiece) seen[missing.piece] = 1;
     std::vector<int> faces;
     for (std::size_t i = 0, j = 0; i < uses.size(); i = j) {
       faces.clear();
@@ -301,8 +303,8 @@ class GapFinder {
 }  // namespace
 
 std::vector<Gap> find_gaps(Band& band, const TetMesh& mesh, std::span<const ModelRef> on,
-                           const EdgeChains& chains) {
-  return GapFinder(band, mesh, on, chains).run();
+                           const EdgeChains& chains, GapScope scope) {
+  return GapFinder(band, mesh, on, chains).run(scope);
 }
 
 AttributePoint split_point(const Model& model, const TetMesh& mesh, std::span<const ModelRef> on,

@@ -33,11 +33,16 @@ struct Gap {
   std::int8_t local = -1;
 };
 
-/// All holes of the band, edges first: when a piece is missing only pieces are reported, since the facets
-/// around it mean nothing yet. [Schroeder & Shephard 1990, "Classification and compatibility";
+/// What find_gaps() looks at where edges lack pieces.
+enum class GapScope {
+  kPiecesFirst,  ///< only pieces are reported: the facets around a missing one mean nothing yet
+  kAll,          ///< facets, too: to tell which regions are whole
+};
+
+/// All holes of the band, edges first. [Schroeder & Shephard 1990, "Classification and compatibility";
 /// Handbook 15.5.2.2]
 [[nodiscard]] std::vector<Gap> find_gaps(Band& band, const TetMesh& mesh, std::span<const ModelRef> on,
-                                         const EdgeChains& chains);
+                                         const EdgeChains& chains, GapScope scope = GapScope::kPiecesFirst);
 
 /// A point on the boundary that may close a hole.
 struct AttributePoint {

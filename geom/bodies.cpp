@@ -59,7 +59,7 @@ class Extract {
         }
   }
 
-  [[nodiscard]] Body body(const ModelParts& whole) const {
+  [[nodiscard]] Model body(const ModelParts& whole) const {
     ModelParts parts;
     parts.unit = whole.unit;
     copy_vertices(whole, parts);
@@ -67,7 +67,8 @@ class Extract {
     copy_faces(whole, parts);
     copy_regions(whole, parts);
     copy_facets(whole.facets, parts.facets);
-    return {Model(std::move(parts)), whole_};
+    parts.whole_tag = whole_;
+    return Model(std::move(parts));
   }
 
  private:
@@ -150,9 +151,9 @@ class Extract {
 
 }  // namespace
 
-std::vector<Body> take_apart(const Model& model) {
+std::vector<Model> take_apart(const Model& model) {
   const std::vector<int> lead = lead_regions(model);
-  std::vector<Body> bodies;
+  std::vector<Model> bodies;
   for (int first = 1; first <= model.count(3); ++first) {
     if (lead[static_cast<std::size_t>(first)] != first) continue;
     std::vector<int> regions;

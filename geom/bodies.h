@@ -9,16 +9,12 @@
 
 namespace octet {
 
-/// Regions that hang together by the faces, edges and vertices they share, as a model of its own.
-struct Body {
-  Model model;
-  std::array<std::vector<int>, 4>
-      whole_tag;  ///< by dimension and tag of `model`: tag in the whole, [0] unused
-};
-
+/// Regions that hang together by the faces, edges and vertices they share, each such body as a model of its
+/// own that tells of its entities by their tags in the whole (ModelParts::whole_tag).
+///
 /// By the lowest tag of their regions. Bodies may touch, or fill the same place, without sharing anything.
 /// Faces that bound nothing (the same region, or none, on both sides) are in no body. Exact geometry is
 /// shared with the whole. Cost: that of making the models.
-[[nodiscard]] std::vector<Body> take_apart(const Model& model);
+[[nodiscard]] std::vector<Model> take_apart(const Model& model);
 
 }  // namespace octet

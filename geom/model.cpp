@@ -130,7 +130,9 @@ std::string Model::describe(ModelRef entity) const {
                                                 entity.dim == 1 ? &edge(entity.tag).name : nullptr,
                                                 entity.dim == 2 ? &face(entity.tag).name : nullptr,
                                                 entity.dim == 3 ? &region(entity.tag).name : nullptr};
-  std::string text = std::string(kWord[entity.dim]) + " " + std::to_string(entity.tag);
+  const std::vector<int>& whole_tag = parts().whole_tag[static_cast<std::size_t>(entity.dim)];
+  const int told = whole_tag.empty() ? entity.tag : whole_tag[static_cast<std::size_t>(entity.tag)];
+  std::string text = std::string(kWord[entity.dim]) + " " + std::to_string(told);
   const std::string& name = *names[entity.dim];
   if (!name.empty()) text += " \"" + name + "\"";
   return text;

@@ -121,6 +121,9 @@ struct ModelParts {
   std::vector<std::string> notes;   ///< what was healed, fused or found odd at load
   std::vector<Fault> faults;        ///< what of the file the model is not: solids left out or not joined
   Provenance provenance;            ///< empty for a model that no file made
+  /// By dimension and tag: the number by which the user knows an entity of a body that was taken out of a
+  /// whole ([0] unused). Empty: the tag.
+  std::array<std::vector<int>, 4> whole_tag;
 };
 
 class FacetBvh;

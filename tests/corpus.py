@@ -10,7 +10,8 @@ A size is `default`, a number N: the part's diagonal / N, or =N: that many eleme
 name, difficulty and kind. The judges are independent programs that print JSON (`meshstat MESH`,
 `meshvscad PART MESH`). With --assemblies (needs meshstat) the table also tells the regions, how many of the model's
 faces between two regions have triangles, how many such triangles there are (each face of two tetrahedra of
-different regions must be one, once), and the worst error of a region's volume against the CAD's. With --turns N each part is meshed as it stands and turned at
+different regions must be one, once), whether each triangle has a tetrahedron in each of the regions that its face
+bounds (`sides`, by tests/interfaces.py), and the worst error of a region's volume against the CAD's. With --turns N each part is meshed as it stands and turned at
 random N times (the same turns each time, at the size of the part as it stands; build the target octet_turn_part), and runs of other status than the part's
 as it stands, or more than a tenth more or fewer elements, are told. The exit code is 0 when every run is complete and every judge content.
 """
@@ -25,11 +26,13 @@ import tempfile
 import time
 from concurrent.futures import ThreadPoolExecutor
 
+from interfaces import check_interfaces
+
 SUFFIXES = (".step", ".stp", ".iges", ".igs", ".brep", ".brp")
 STATUS = {0: "complete", 2: "refused", 3: "incomplete", 4: "failed"}
-HEAD = ("file", "size", "status", "tets", "min dih", "p1 dih", "vol err", "regions", "shared", "shared tris", "worst vol",
-        "check", "stat", "cad", "seconds", "why")
-ASSEMBLY_HEAD = ("regions", "shared", "shared tris", "worst vol")
+HEAD = ("file", "size", "status", "tets", "min dih", "p1 dih", "vol err", "regions", "shared", "shared tris", "sides",
+        "worst vol", "check", "stat", "cad", "seconds", "why")
+ASSEMBLY_HEAD = ("regions", "shared", "shared tris", "sides", "worst vol")
 
 
 def add_choice(parser):
@@ -99,8 +102,10 @@ def judge_mesh(args, mesh):
     return str(problems[0]), report
 
 
-def judge_assembly(args, part, stat, row):
+def judge_assembly(args, part, mesh, stat, row):
     """Regions and what they share, in the model and as meshstat counts it in the mesh: `ok`, or what is wrong."""
+    _, _, wrong = check_interfaces(mesh)
+    row["sides"] = f"{len(wrong)} wrong" if wrong else "ok"
     code, out, _, _ = call([args.octet, "info", part, "--json"], args.limit)
     if code != 0 or not stat:
         return "unknown"
@@ -114,6 +119,8 @@ def judge_assembly(args, part, stat, row):
     row["shared"] = f"{len(shared & meshed)}/{len(shared)}"
     row["shared tris"] = stat["faces"]["interface_between_volume_tags"]
     row["worst vol"] = f"{max(errors, key=abs):+.1e}"
+    if wrong:
+        return wrong[0]
     if not match["exact_match"]:
         return "triangles are not the faces of the regions"
     return "ok" if shared <= meshed and len(volumes) == len(errors) else "regions or shared faces are missing"
@@ -188,7 +195,7 @@ def run_one(args, part, size, folder, standing):
         row["stat"], stat = judge_mesh(args, mesh)
         verdicts.append(row["stat"])
         if args.assemblies:
-            verdicts.append(judge_assembly(args, part, stat, row))
+            verdicts.append(judge_assembly(args, part, mesh, stat, row))
     if args.meshvscad:
         row["cad"] = judge_part(args, part, mesh)
         verdicts.append(row["cad"])

@@ -27,15 +27,19 @@ namespace {
 constexpr std::array<double, 4> kTolerances{0.0, 1e-8, 1e-7, 1e-6};
 /// No tolerance is more than this share of the smallest solid's diagonal.
 constexpr double kLargestTolerance = 1e-5;
-/// What two solids fill together is noise when it is thinner than this share of the diagonal.
-constexpr double kThinOverlap = 1e-6;
+/// What two solids fill together, or what parts them, is noise when it is thinner than this share of the
+/// diagonal.
+constexpr double kThin = 1e-6;
 
 using Group = std::vector<std::size_t>;  ///< indices of solids, ascending
 
-/// Groups of at least two solids that hang together by boxes that meet.
+/// Groups of at least two solids that hang together by boxes that meet, or are parted by noise.
 std::vector<Group> touching_groups(const std::vector<TopoDS_Shape>& solids, const std::vector<bool>& apart) {
   std::vector<Bnd_Box> boxes;
-  for (const TopoDS_Shape& solid : solids) boxes.push_back(box_of(solid));
+  for (const TopoDS_Shape& solid : solids) {
+    boxes.push_back(box_of(solid));
+    boxes.back().Enlarge(kThin * diagonal_of(boxes.back()));
+  }
   Group lead(solids.size());
   std::iota(lead.begin(), lead.end(), std::size_t{0});
   const auto root = [&](std::size_t i) {
@@ -62,20 +66,22 @@ double diagonal_of_all(const std::vector<TopoDS_Shape>& solids) {
   return diagonal_of(all);
 }
 
-/// Without conflicts and without thin overlaps if any tolerance gives that; else that with the fewest.
+/// Without conflicts, thin overlaps and gaps if any tolerance gives that; else that with the fewest.
 std::unique_ptr<GroupFuse> best_fuse(const std::vector<TopoDS_Shape>& solids) {
   const double diagonal = diagonal_of_all(solids);
   double smallest = diagonal;
   for (const TopoDS_Shape& solid : solids) smallest = std::min(smallest, diagonal_of(box_of(solid)));
   const auto badness = [](const GroupFuse& fuse) {
-    return std::make_tuple(fuse.failed(), fuse.conflicts().size(), fuse.thin_overlaps());
+    return std::make_tuple(fuse.failed(), fuse.conflicts().size(), fuse.thin_overlaps() + fuse.near().count);
   };
   std::unique_ptr<GroupFuse> best;
   for (const double share : kTolerances) {
     if (share * diagonal > kLargestTolerance * smallest) break;
-    auto fuse = std::make_unique<GroupFuse>(solids, share * diagonal, kThinOverlap * diagonal);
+    if (best && best->sound() && best->thin_overlaps() == 0 && share * diagonal < best->near().narrowest)
+      continue;
+    auto fuse = std::make_unique<GroupFuse>(solids, share * diagonal, kThin * diagonal);
     if (!best || badness(*fuse) < badness(*best)) best = std::move(fuse);
-    if (best->sound() && best->thin_overlaps() == 0) break;
+    if (best->sound() && best->thin_overlaps() == 0 && best->near().count == 0) break;
   }
   return best;
 }
@@ -154,9 +160,10 @@ class Fuser {
   void accept(const Group& group, const GroupFuse& fuse) {
     for (const std::string& text : fuse.warnings()) set_.notes.push_back(text);
     if (fuse.tolerance() > 0.0)
-      set_.notes.push_back(fmt::format(
-          "{} solids that touch were fused with a tolerance of {:.3g} mm, for they overlap by less",
-          group.size(), fuse.tolerance()));
+      set_.notes.push_back(
+          fmt::format("{} solids that touch were fused with a tolerance of {:.3g} mm, for they overlap, or "
+                      "miss each other, by less",
+                      group.size(), fuse.tolerance()));
     for (std::size_t i = 0; i < group.size(); ++i) images_[group[i]] = fuse.images()[i];
     changed_ = changed_ || fuse.history()->HasModified() || fuse.history()->HasRemoved();
     set_.history->Merge(fuse.history());

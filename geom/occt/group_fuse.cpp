@@ -138,6 +138,7 @@ GroupFuse::GroupFuse(const std::vector<TopoDS_Shape>& solids, double tolerance, 
   for (const TopoDS_Shape& solid : solids) images_.push_back(images_of(solid));
   find_conflicts(solids);
   count_thin_overlaps(thin);
+  find_near_faces(thin);
   find_pieces(solids);
 }
 
@@ -185,6 +186,14 @@ void GroupFuse::count_thin_overlaps(double thin) {
   const Owners owners(images_, TopAbs_SOLID);
   for (std::size_t k = 0; k < owners.size(); ++k)
     if (owners.of(k).size() > 1 && thickness_of(owners.shape(k)) < thin) ++thin_overlaps_;
+}
+
+void GroupFuse::find_near_faces(double thin) {
+  const Owners faces(images_, TopAbs_FACE);
+  std::vector<FaceOfSolid> unshared;
+  for (std::size_t k = 0; k < faces.size(); ++k)
+    if (faces.of(k).size() == 1) unshared.push_back({TopoDS::Face(faces.shape(k)), faces.of(k).front()});
+  near_ = near_faces(unshared, thin);
 }
 
 // Surfaces that touch along a line meet nowhere or in places by rounding: the edges found there end nowhere.

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/vec.h"
+#include "geom/occt/near_faces.h"
 
 namespace octet {
 
@@ -24,7 +25,7 @@ struct FuseConflict {
 
 class GroupFuse {
  public:
-  /// `thin`: what two solids fill together is noise when it is thinner than this.
+  /// `thin`: what two solids fill together, or what parts their faces, is noise when it is thinner than this.
   GroupFuse(const std::vector<TopoDS_Shape>& solids, double tolerance, double thin);
 
   [[nodiscard]] bool failed() const { return failed_; }
@@ -33,6 +34,8 @@ class GroupFuse {
   /// of a line along which two touch.
   [[nodiscard]] const std::vector<FuseConflict>& conflicts() const { return conflicts_; }
   [[nodiscard]] int thin_overlaps() const { return thin_overlaps_; }
+  /// Faces of two solids, shared by neither, that lie on one another but for noise.
+  [[nodiscard]] const NearFaces& near() const { return near_; }
   [[nodiscard]] double tolerance() const { return tolerance_; }
   [[nodiscard]] const Handle(BRepTools_History) & history() const { return history_; }
   /// What became of each solid of the group; those in two lists are overlaps.
@@ -45,6 +48,7 @@ class GroupFuse {
   void find_conflicts(const std::vector<TopoDS_Shape>& solids);
   void find_opening(std::size_t solid, const TopoDS_Shape& image);
   void count_thin_overlaps(double thin);
+  void find_near_faces(double thin);
   void find_pieces(const std::vector<TopoDS_Shape>& solids);
 
   double tolerance_;
@@ -54,6 +58,7 @@ class GroupFuse {
   std::vector<std::vector<TopoDS_Shape>> images_;
   std::vector<FuseConflict> conflicts_;
   int thin_overlaps_ = 0;
+  NearFaces near_;
 };
 
 }  // namespace octet

@@ -90,7 +90,7 @@ void pass_provenance(auto& stream, auto& provenance) {
 
 void pass_parts(auto& stream, auto& parts) {
   auto& [vertices, edges, faces, regions, curves, surfaces, trims, facets, unit, apart, notes, faults,
-         provenance] = parts;
+         provenance, whole_tag] = parts;
   pass_entities(stream, vertices);
   pass_entities(stream, edges);
   pass_entities(stream, faces);
@@ -99,6 +99,7 @@ void pass_parts(auto& stream, auto& parts) {
   stream(unit, apart, notes);
   pass_entities(stream, faults);
   pass_provenance(stream, provenance);
+  for (auto& tags : whole_tag) stream(tags);
 }
 
 /// Compounds of the vertices, edges, faces and solids in the order of their tags.

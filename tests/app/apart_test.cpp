@@ -41,19 +41,20 @@ Model cube_with_embedded_square() {
 
 TEST(Apart, BodiesAreModelsOfTheirOwn) {
   const Model model = touching_boxes(false);
-  const std::vector<Body> bodies = take_apart(model);
+  const std::vector<Model> bodies = take_apart(model);
   ASSERT_EQ(bodies.size(), 2u);
   for (std::size_t b = 0; b < 2; ++b) {
-    const Model& body = bodies[b].model;
+    const Model& body = bodies[b];
     EXPECT_TRUE(check_model(body).empty());
     EXPECT_EQ(body.count(3), 1);
     EXPECT_EQ(body.count(2), 6);
-    const int whole = bodies[b].whole_tag[3][1];
+    const int whole = bodies[b].parts().whole_tag[3][1];
     EXPECT_EQ(whole, static_cast<int>(b) + 1);
+    EXPECT_EQ(body.describe(model_region(1)), model.describe(model_region(whole)));
     EXPECT_EQ(body.region(1).volume, model.region(whole).volume);
     for (int v = 1; v <= body.count(0); ++v)
       EXPECT_EQ(body.vertex(v).point,
-                model.vertex(bodies[b].whole_tag[0][static_cast<std::size_t>(v)]).point);
+                model.vertex(bodies[b].parts().whole_tag[0][static_cast<std::size_t>(v)]).point);
   }
 }
 

@@ -59,7 +59,9 @@ class Bench {
   }
   const std::vector<EdgePiece>& pieces() const { return seeds_.pieces; }
 
-  std::vector<Gap> gaps() { return find_gaps(band_, triangulation_.mesh(), on_, *chains_); }
+  std::vector<Gap> gaps(GapScope scope = GapScope::kPiecesFirst) {
+    return find_gaps(band_, triangulation_.mesh(), on_, *chains_, scope);
+  }
 
   AttributeResult close(std::size_t points) {
     AttributeLimits limits;
@@ -151,6 +153,11 @@ TEST(AttributePoints, AMissingEdgePieceIsFoundAndSplit) {
   ASSERT_FALSE(gaps.empty());
   EXPECT_EQ(gaps.front().kind, GapKind::kMissingPiece);
   EXPECT_EQ(gaps.front().entity, model_edge(first.edge));
+  const std::vector<Gap> all = bench.gaps(GapScope::kAll);
+  const auto pieces = std::count_if(all.begin(), all.end(),
+                                    [](const Gap& gap) { return gap.kind == GapKind::kMissingPiece; });
+  EXPECT_EQ(static_cast<std::size_t>(pieces), gaps.size());
+  EXPECT_GT(all.size(), gaps.size()) << "facets, too";
   EXPECT_TRUE(bench.close(500).gaps.empty());
 }
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
@@ -74,6 +75,26 @@ TEST(Fuse, AnOverlapOfLittleMoreThanTolerancesIsFusedWithATolerance) {
   EXPECT_EQ(model.count(2), 11);
   EXPECT_EQ(check_model(model), "");
   EXPECT_TRUE(model.parts().faults.empty());
+}
+
+TEST(Fuse, AGapOfNoMoreThanNoiseIsClosedWithATolerance) {
+  // The second box does not reach the first, whose face is larger, by a ten-millionth of the diagonal.
+  const TopoDS_Shape small = BRepPrimAPI_MakeBox(gp_Pnt(100 + 2e-5, 30, 30), gp_Pnt(150, 60, 60)).Shape();
+  const TopoDS_Shape large = BRepPrimAPI_MakeBox(gp_Pnt(0, 0, 0), gp_Pnt(100, 100, 100)).Shape();
+  const Model model = model_from_shape(compound_of({large, small}));
+  EXPECT_TRUE(has_note(model, "were fused with a tolerance of"));
+  EXPECT_EQ(model.count(2), 12) << "one of them between the two";
+  EXPECT_EQ(check_model(model), "");
+  const TopoDS_Shape splines = BRepBuilderAPI_NurbsConvert(small).Shape();
+  EXPECT_EQ(model_from_shape(compound_of({large, splines})).count(2), 12) << "planes as splines";
+}
+
+TEST(Fuse, AGapThatIsMoreThanNoiseStays) {
+  const TopoDS_Shape far = BRepPrimAPI_MakeBox(gp_Pnt(100.001, 30, 30), gp_Pnt(150, 60, 60)).Shape();
+  const TopoDS_Shape large = BRepPrimAPI_MakeBox(gp_Pnt(0, 0, 0), gp_Pnt(100, 100, 100)).Shape();
+  const Model model = model_from_shape(compound_of({large, far}));
+  EXPECT_FALSE(has_note(model, "were fused with a tolerance of"));
+  EXPECT_EQ(model.count(2), 12) << "six of either";
 }
 
 TEST(Fuse, AThickerOverlapStaysARegion) {
