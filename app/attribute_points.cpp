@@ -168,10 +168,15 @@ class AttributeLoop {
       const auto& v = mesh().tets[t];
       if (changed(t)) return true;  // what the piece lacks may have come in this round
       if (std::find(v.begin(), v.end(), b) == v.end()) continue;
-      const auto point = reach_point(model_, mesh(), on_, t, limits_.floor);
-      if (!point || (best && point->clearance <= best->clearance)) continue;
-      best = point;
-      at = t;
+      const auto offer = [&](const std::optional<AttributePoint>& point) {
+        if (!point || (best && point->clearance <= best->clearance)) return;
+        best = point;
+        at = t;
+      };
+      offer(reach_point(model_, mesh(), on_, t, limits_.floor));
+      if (mesh().ghost(t)) continue;
+      for (int f = 0; f < 4; ++f)
+        if (v[f] != a && v[f] != b) offer(hidden_sheet_point(model_, mesh(), on_, t, f, limits_.floor));
     }
     if (best) insert_on_face(*best, at);
     return best.has_value();

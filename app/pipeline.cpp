@@ -42,7 +42,7 @@ constexpr int kSecondTries = 3;
 constexpr double kRoomyClearance = 0.6;
 /// Attribute points for the gaps of one octant. Where gaps closed, in eight parts with small features, no
 /// octant took more than 23; where they did not, octants took hundreds.
-constexpr std::size_t kPointsPerOctant = 60;
+constexpr std::size_t kPointsPerOctant = 240;
 
 Fault warning_of(const WideGap& gap) {
   const char* what = gap.entity.dim == 1 ? "runs beside its faces" : "lies off the ends of its edges";

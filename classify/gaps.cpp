@@ -348,6 +348,23 @@ void meet_towards_octree_vertices(const Model& model, const TetMesh& mesh, std::
   }
 }
 
+/// Of crossings with faces that which is farthest from the corners on the boundary; none when all are closer than
+/// `floor` to one.
+std::optional<AttributePoint> farthest_on_a_face(const TetMesh& mesh, std::span<const ModelRef> on,
+                                                 std::span<const VertexId> corners,
+                                                 const std::vector<Hit>& hits, double floor) {
+  std::optional<AttributePoint> best;
+  for (const Hit& hit : hits) {
+    if (hit.on.dim != 2) continue;
+    double clearance = std::numeric_limits<double>::infinity();
+    for (const VertexId v : corners)
+      if (on[v.index()].dim < 3) clearance = std::min(clearance, (hit.point - mesh.points[v]).norm());
+    if (clearance < floor || (best && clearance <= best->clearance)) continue;
+    best = AttributePoint{hit.point, hit.on, 0.0, hit.normal, clearance};
+  }
+  return best;
+}
+
 }  // namespace
 
 std::optional<AttributePoint> facet_point(const Model& model, const TetMesh& mesh,
@@ -388,16 +405,19 @@ std::optional<AttributePoint> reach_point(const Model& model, const TetMesh& mes
                                           std::span<const ModelRef> on, TetId tet, double floor) {
   std::vector<Hit> hits;
   meet_towards_octree_vertices(model, mesh, on, tet, hits);
-  std::optional<AttributePoint> best;
-  for (const Hit& hit : hits) {
-    if (hit.on.dim != 2) continue;
-    double clearance = std::numeric_limits<double>::infinity();
-    for (const VertexId v : mesh.tets[tet])
-      if (on[v.index()].dim < 3) clearance = std::min(clearance, (hit.point - mesh.points[v]).norm());
-    if (clearance < floor || (best && clearance <= best->clearance)) continue;
-    best = AttributePoint{hit.point, hit.on, 0.0, hit.normal, clearance};
-  }
-  return best;
+  return farthest_on_a_face(mesh, on, mesh.tets[tet], hits, floor);
+}
+
+std::optional<AttributePoint> hidden_sheet_point(const Model& model, const TetMesh& mesh,
+                                                 std::span<const ModelRef> on, TetId tet, int local,
+                                                 double floor) {
+  const DualSegment dual = dual_segment(mesh, tet, local);
+  std::vector<Hit> hits;
+  model.intersect(dual.inner, dual.outer, hits);
+  if (hits.size() < 2) return std::nullopt;
+  const auto& v = mesh.tets[tet];
+  const std::array<VertexId, 3> corners{v[kTetFace[local][0]], v[kTetFace[local][1]], v[kTetFace[local][2]]};
+  return farthest_on_a_face(mesh, on, corners, hits, floor);
 }
 
 namespace {
