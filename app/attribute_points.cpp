@@ -176,10 +176,15 @@ class AttributeLoop {
       offer(reach_point(model_, mesh(), on_, t, limits_.floor));
       if (mesh().ghost(t)) continue;
       for (int f = 0; f < 4; ++f)
-        if (v[f] != a && v[f] != b) offer(hidden_sheet_point(model_, mesh(), on_, t, f, limits_.floor));
+        if (v[f] != a && v[f] != b)
+          offer(hidden_sheet_point(model_, mesh(), on_, t, f, is_facet(t, f), limits_.floor));
     }
     if (best) insert_on_face(*best, at);
     return best.has_value();
+  }
+
+  [[nodiscard]] bool is_facet(TetId t, int local) const {
+    return band_.region(t) != band_.region(mesh().neighbours[t][local]);
   }
 
   /// Whether the CAD tells the halves of a piece apart: splitting on below its tolerance mends no fan.

@@ -410,11 +410,11 @@ std::optional<AttributePoint> reach_point(const Model& model, const TetMesh& mes
 
 std::optional<AttributePoint> hidden_sheet_point(const Model& model, const TetMesh& mesh,
                                                  std::span<const ModelRef> on, TetId tet, int local,
-                                                 double floor) {
+                                                 bool is_facet, double floor) {
   const DualSegment dual = dual_segment(mesh, tet, local);
   std::vector<Hit> hits;
   model.intersect(dual.inner, dual.outer, hits);
-  if (hits.size() < 2) return std::nullopt;
+  if (hits.size() <= static_cast<std::size_t>(is_facet)) return std::nullopt;
   const auto& v = mesh.tets[tet];
   const std::array<VertexId, 3> corners{v[kTetFace[local][0]], v[kTetFace[local][1]], v[kTetFace[local][2]]};
   return farthest_on_a_face(mesh, on, corners, hits, floor);
