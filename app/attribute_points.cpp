@@ -96,7 +96,7 @@ class AttributeLoop {
   /// The bound of each cell ends every run; where gaps grow, or do not get fewer, all over the part (a
   /// surface that folds over itself), this ends it sooner.
   bool runs_away() {
-    constexpr std::size_t kPatience = 6, kGrowth = 3, kFew = 60, kLooks = 4, kMany = 1000;
+    constexpr std::size_t kPatience = 12, kGrowth = 3, kFew = 60, kLooks = 4, kMany = 1000;
     if (std::all_of(result_.gaps.begin(), result_.gaps.end(),
                     [](const Gap& gap) { return gap.kind == GapKind::kMissingPiece; }))
       return false;  // facets have not been looked at in this round

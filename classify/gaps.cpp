@@ -348,8 +348,8 @@ void meet_towards_octree_vertices(const Model& model, const TetMesh& mesh, std::
   }
 }
 
-/// Of crossings with faces that which is farthest from the corners on the boundary; none when all are closer than
-/// `floor` to one.
+/// Of crossings with faces that which is farthest from the corners on the boundary; none when all are closer
+/// than `floor` to one.
 std::optional<AttributePoint> farthest_on_a_face(const TetMesh& mesh, std::span<const ModelRef> on,
                                                  std::span<const VertexId> corners,
                                                  const std::vector<Hit>& hits, double floor) {

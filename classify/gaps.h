@@ -72,9 +72,9 @@ struct AttributePoint {
                                                         std::span<const ModelRef> on, TetId tet,
                                                         double floor);
 
-/// For a face of a tetrahedron whose dual segment crosses the boundary more often than it shows (a facet once,
-/// other faces never), at a thin wall or a narrow hole or where misfits were relabelled away: the crossing of a
-/// model face that is farthest from its corners.
+/// For a face of a tetrahedron whose dual segment crosses the boundary more often than it shows (a facet
+/// once, other faces never), at a thin wall or a narrow hole or where misfits were relabelled away: the
+/// crossing of a model face that is farthest from its corners.
 [[nodiscard]] std::optional<AttributePoint> hidden_sheet_point(const Model& model, const TetMesh& mesh,
                                                                std::span<const ModelRef> on, TetId tet,
                                                                int local, bool is_facet, double floor);

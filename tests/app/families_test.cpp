@@ -46,6 +46,27 @@ TEST_P(CoarseSizes, AHalfOfThePartAsTheSizeIsComplete) {
   EXPECT_EQ(result.report.status, MeshStatus::kComplete);
 }
 
+/// Where octants may grow no smaller either, attribute points do it alone.
+TEST(CoarseSizes, HolesMuchNarrowerThanTheLeastSizeAreComplete) {
+  int parts = 0;
+  for (const test::FamilyPart& part : test::family_parts()) {
+    if (part.name != "slanted_half_hole" && part.name != "halved_blind_holes") continue;
+    ++parts;
+    const Model model = model_from_shape(part.build());
+    for (const double size : {4.0, 3.33, 1.67, 1.2}) {
+      MeshOptions options;
+      options.size = options.min_size = size;
+      const MeshResult result = mesh_part(model, options);
+      EXPECT_EQ(result.report.status, MeshStatus::kComplete) << part.name << " at " << size;
+      for (const Fault& fault : result.report.faults)
+        ADD_FAILURE() << model.describe(fault.entity) << " at " << fault.place.transpose() << ": "
+                      << fault.cause;
+      EXPECT_LT(result.report.attribute_points, 600u) << part.name << " at " << size;
+    }
+  }
+  EXPECT_EQ(parts, 2);
+}
+
 TEST(Bugs, PartsThatOnceFailedAreComplete) {
   int parts = 0;
   for (const auto& file : std::filesystem::directory_iterator(OCTET_MODELS "/bugs")) {

@@ -81,6 +81,27 @@ TopoDS_Shape void_at_an_edge() {
   return with_void(step, box(0.7, 1.2, 0.8, 1.3, 1.5, 1.2));
 }
 
+/// A block with a hole much narrower than an octant, half round and aslant.
+TopoDS_Shape slanted_half_hole() {
+  TopoDS_Shape drill = BRepPrimAPI_MakeCylinder(gp_Ax2({1.5, 1.8, -1}, gp::DZ()), 0.23, 5, M_PI);
+  gp_Trsf tilt;
+  tilt.SetRotation(gp_Ax1({1.5, 1.8, 1.3}, gp_Dir(1, 0.3, 0)), 0.3);
+  drill = BRepBuilderAPI_Transform(drill, tilt, true).Shape();
+  return cut(box(0, 0, 0, 4, 4, 2.7), drill);
+}
+
+/// A block with blind holes much narrower than an octant, made of halves.
+TopoDS_Shape halved_blind_holes() {
+  TopoDS_Shape block = box(0, 0, 0, 4, 4, 2.7);
+  for (int i = 0; i < 4; ++i)
+    for (const int side : {1, -1}) {
+      const gp_Pnt bottom(1.5 + 0.95 * (i % 2), 1.8 + 0.9 * (i / 2), 1.2 - 0.11 * i);
+      const gp_Ax2 axes(bottom, gp::DZ(), side * gp::DX());
+      block = cut(block, BRepPrimAPI_MakeCylinder(axes, 0.23, 2, M_PI));
+    }
+  return block;
+}
+
 /// A block with a round boss, and below the boss a void of its radius: a circle is all that they share.
 TopoDS_Shape boss_over_void() {
   const TopoDS_Shape block = fuse(box(-2, -2, 0, 4, 4, 2), rod({0, 0, 2}, gp::DZ(), 1, 1));
@@ -301,6 +322,8 @@ std::vector<FamilyPart> family_parts() {
   add("void_at_an_edge", [] { return void_at_an_edge(); });
   add("boss_over_void", [] { return boss_over_void(); });
   add("folded_top", [] { return folded_top(); });
+  add("slanted_half_hole", [] { return slanted_half_hole(); });
+  add("halved_blind_holes", [] { return halved_blind_holes(); });
   add("balls_at_a_point", [] { return side_by_side(cut(ball(0, 3), ball(1, 2)), ball(1, 2)); });
   return parts;
 }
