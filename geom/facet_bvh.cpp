@@ -118,8 +118,13 @@ class FacetBvhBuilder {
     const auto first = static_cast<std::int32_t>(bvh_.items_.size());
     for (const Leaf& l : leaves) {
       const auto& t = facets_.triangles[l.index];
-      FacetBvh::Item item{facets_.nodes[t[0]], facets_.nodes[t[1]], facets_.nodes[t[2]],
-                          Vec3::Zero(),        bvh_.grow_[l.index], l.index};
+      FacetBvh::Item item{rounded(l.box),
+                          facets_.nodes[t[0]],
+                          facets_.nodes[t[1]],
+                          facets_.nodes[t[2]],
+                          Vec3::Zero(),
+                          bvh_.grow_[l.index],
+                          l.index};
       const Vec3 n = (item.b - item.a).cross(item.c - item.a);
       if (n.squaredNorm() > 0.0) item.normal = n.normalized();
       bvh_.items_.push_back(item);
@@ -129,17 +134,19 @@ class FacetBvhBuilder {
 
   std::int32_t child(std::span<Leaf> leaves) { return static_cast<std::int32_t>(leaves[0].index); }
 
+  static FacetBvh::FloatBox rounded(const Box3& box) {
+    FacetBvh::FloatBox result;
+    for (int k = 0; k < 3; ++k) {
+      result.lo[k] = round_down(box.lo[k]);
+      result.hi[k] = round_up(box.hi[k]);
+    }
+    return result;
+  }
+
   std::int32_t add_node(std::span<const Leaf> leaves, std::int32_t first, std::int32_t second) {
     Box3 box;
     for (const Leaf& l : leaves) box.add(l.box);
-    FacetBvh::Node node;
-    for (int k = 0; k < 3; ++k) {
-      node.lo[k] = round_down(box.lo[k]);
-      node.hi[k] = round_up(box.hi[k]);
-    }
-    node.first = first;
-    node.second = second;
-    bvh_.nodes_.push_back(node);
+    bvh_.nodes_.push_back({rounded(box), first, second});
     return static_cast<std::int32_t>(bvh_.nodes_.size() - 1);
   }
 
@@ -225,11 +232,11 @@ FacetBvh::FacetBvh(const Facets& facets, std::span<const double> grow, int faces
   FacetBvhBuilder(*this, facets).build(faces);
 }
 
-FacetBvh::Probe::Probe(const Vec3& p, const Vec3& q) : middle(0.5 * (p + q)), half(0.5 * (q - p)) {
+FacetBvh::Probe::Probe(const Vec3& from, const Vec3& to) : p(from), q(to) {
   int moving = 0;
   for (int k = 0; k < 3; ++k) {
-    lo[k] = round_down(std::min(p[k], q[k]));
-    hi[k] = round_up(std::max(p[k], q[k]));
+    box.lo[k] = round_down(std::min(p[k], q[k]));
+    box.hi[k] = round_up(std::max(p[k], q[k]));
     moving += p[k] != q[k] ? 1 : 0;
   }
   straight = moving <= 1;
@@ -237,10 +244,11 @@ FacetBvh::Probe::Probe(const Vec3& p, const Vec3& q) : middle(0.5 * (p + q)), ha
 
 /// Separating axes of a segment and a box that meets the segment's box: the cross products of the segment
 /// with the axes [Ericson 2005, 5.3.3].
-bool FacetBvh::Probe::crosses(const Node& node) const {
+bool FacetBvh::Probe::crosses(const FloatBox& b) const {
+  const Vec3 middle = 0.5 * (p + q), half = 0.5 * (q - p);
   Vec3 c, e;
   for (int k = 0; k < 3; ++k) {
-    const double l = node.lo[k], h = node.hi[k];
+    const double l = b.lo[k], h = b.hi[k];
     e[k] = 0.5 * (h - l);
     c[k] = middle[k] - 0.5 * (l + h);
   }
@@ -251,17 +259,13 @@ bool FacetBvh::Probe::crosses(const Node& node) const {
   return std::abs(c.x() * half.y() - c.y() * half.x()) <= e.x() * a.y() + e.y() * a.x() + slack;
 }
 
-/// Separating axes of the segment and the triangle, which has `grow` around it: the normal, the axes of
-/// space, the cross products of the segment with the sides [Ericson 2005, 5.2.1]. The last tell on which side
-/// of each side it passes: without them most triangles of a plane with holes are candidates, for these are
-/// long and thin, and their boxes cover one another.
+/// Separating axes of the segment and the triangle, which has `grow` around it: the normal and, the boxes
+/// having told of the axes of space, the cross products of the segment with the sides [Ericson 2005, 5.2.1].
+/// The last tell on which side of each side it passes: without them most triangles of a plane with holes are
+/// candidates, for these are long and thin, and their boxes cover one another.
 bool FacetBvh::meets(const Item& item, const Vec3& p, const Vec3& q) {
   const double hp = item.normal.dot(p - item.a), hq = item.normal.dot(q - item.a);
   if ((hp > item.grow && hq > item.grow) || (hp < -item.grow && hq < -item.grow)) return false;
-  for (int k = 0; k < 3; ++k) {
-    if (std::max(p[k], q[k]) + item.grow < std::min({item.a[k], item.b[k], item.c[k]})) return false;
-    if (std::min(p[k], q[k]) - item.grow > std::max({item.a[k], item.b[k], item.c[k]})) return false;
-  }
   const Vec3 d = q - p;
   const auto passes = [&](const Vec3& from, const Vec3& to, const Vec3& opposite) {
     const Vec3 n = d.cross(to - from);
@@ -279,7 +283,7 @@ void FacetBvh::near(const Vec3& p, double max_distance, int face, std::vector<Fa
   const std::size_t first = feet.size();
   double reach = max_distance;
   NearStack stack;
-  stack.entry[stack.size++] = {root, squared_distance(nodes_[root], p)};
+  stack.entry[stack.size++] = {root, nodes_[root].squared_distance(p)};
   while (stack.size > 0) {
     const auto [index, d2] = stack.entry[--stack.size];
     if (d2 > reach * reach) continue;
@@ -309,12 +313,9 @@ FacetFoot FacetBvh::foot(const Item& item, const Vec3& p) {
 }
 
 bool FacetBvh::meets(const Item& item, const Box3& box) {
-  Box3 own;
-  own.add(item.a);
-  own.add(item.b);
-  own.add(item.c);
+  if (item.apart(box)) return false;
   const double reach = item.normal.cwiseAbs().dot(0.5 * box.size()) + item.grow;
-  return own.grown(item.grow).overlaps(box) && std::abs(item.normal.dot(box.centre() - item.a)) <= reach;
+  return std::abs(item.normal.dot(box.centre() - item.a)) <= reach;
 }
 
 }  // namespace octet

@@ -31,9 +31,35 @@ struct FacetFoot {
 ///
 /// Invariants: each box holds its triangles grown by their `grow`, rounded outward to float; so whatever
 /// exact boundary lies within `grow` of a facet lies in the boxes above that facet.
-/// Cost: 32 bytes a node, 120 bytes a triangle. Immutable, thread-safe.
+/// Cost: 32 bytes a node, 136 bytes a triangle. Immutable, thread-safe.
 class FacetBvh {
  public:
+  /// Rounded outward.
+  struct FloatBox {
+    std::array<float, 3> lo, hi;
+    [[nodiscard]] double squared_distance(const Vec3& p) const;
+    [[nodiscard]] bool apart(const Box3& box) const {
+      bool apart = false;
+      for (int k = 0; k < 3; ++k) apart |= lo[k] > box.hi[k] || hi[k] < box.lo[k];
+      return apart;
+    }
+  };
+  /// A segment as boxes are asked about it.
+  struct Probe {
+    Probe(const Vec3& from, const Vec3& to);
+    /// Whether it meets the box, as far as their extents along the axes tell.
+    [[nodiscard]] bool beside(const FloatBox& b) const {
+      bool apart = false;
+      for (int k = 0; k < 3; ++k) apart |= b.lo[k] > box.hi[k] || b.hi[k] < box.lo[k];
+      return !apart;
+    }
+    [[nodiscard]] bool meets(const FloatBox& b) const { return beside(b) && (straight || crosses(b)); }
+    [[nodiscard]] bool crosses(const FloatBox& b) const;
+    Vec3 p, q;
+    FloatBox box;   ///< its own
+    bool straight;  ///< parallel to an axis: it is its box
+  };
+
   FacetBvh() = default;
   /// `grow`: per triangle, how far the exact boundary may lie from it. Faces are numbered 1..faces.
   FacetBvh(const Facets& facets, std::span<const double> grow, int faces);
@@ -71,20 +97,19 @@ class FacetBvh {
   [[nodiscard]] bool item_meets(std::uint32_t item, const Box3& box) const {
     return meets(items_[item], box);
   }
-  [[nodiscard]] bool item_meets(std::uint32_t item, const Vec3& p, const Vec3& q) const {
-    return meets(items_[item], p, q);
+  [[nodiscard]] bool item_meets(std::uint32_t item, const Probe& probe) const {
+    return probe.beside(items_[item]) && meets(items_[item], probe.p, probe.q);
   }
 
   [[nodiscard]] double grow(std::uint32_t triangle) const { return grow_[triangle]; }
   [[nodiscard]] double max_grow() const { return max_grow_; }
 
  private:
-  struct Node {
-    std::array<float, 3> lo, hi;
+  struct Node : FloatBox {
     std::int32_t first = 0;   ///< leaf: first item; else left child
     std::int32_t second = 0;  ///< leaf: -(number of items); else right child
   };
-  struct Item {
+  struct Item : FloatBox {
     Vec3 a, b, c;
     Vec3 normal;  ///< unit, zero for a degenerate triangle
     double grow = 0.0;
@@ -107,8 +132,8 @@ class FacetBvh {
     std::array<Entry, 128> entry;
     int size = 0;
     void push(const FacetBvh& bvh, const Node& parent, const Vec3& p, double most) {
-      Entry near{parent.first, squared_distance(bvh.nodes_[parent.first], p)};
-      Entry far{parent.second, squared_distance(bvh.nodes_[parent.second], p)};
+      Entry near{parent.first, bvh.nodes_[parent.first].squared_distance(p)};
+      Entry far{parent.second, bvh.nodes_[parent.second].squared_distance(p)};
       if (far.d2 < near.d2) std::swap(near, far);
       if (far.d2 <= most) entry[size++] = far;
       if (near.d2 <= most) entry[size++] = near;
@@ -117,22 +142,9 @@ class FacetBvh {
 
   friend class FacetBvhBuilder;
   [[nodiscard]] std::int32_t root_of(int face) const { return face == 0 ? root_ : face_root_[face]; }
-  /// A segment as boxes are asked about it.
-  struct Probe {
-    Probe(const Vec3& p, const Vec3& q);
-    [[nodiscard]] bool meets(const Node& node) const {
-      bool apart = false;
-      for (int k = 0; k < 3; ++k) apart |= node.lo[k] > hi[k] || node.hi[k] < lo[k];
-      return !apart && (straight || crosses(node));
-    }
-    [[nodiscard]] bool crosses(const Node& node) const;
-    std::array<float, 3> lo, hi;  ///< its box, rounded outward
-    bool straight;                ///< parallel to an axis: it is its box
-    Vec3 middle, half;
-  };
+  /// What is left to ask where the boxes meet.
   [[nodiscard]] static bool meets(const Item& item, const Vec3& p, const Vec3& q);
   [[nodiscard]] static bool meets(const Item& item, const Box3& box);
-  [[nodiscard]] static double squared_distance(const Node& node, const Vec3& p);
   [[nodiscard]] static FacetFoot foot(const Item& item, const Vec3& p);
 
   std::vector<Node> nodes_;
@@ -143,11 +155,10 @@ class FacetBvh {
   double max_grow_ = 0.0;
 };
 
-inline double FacetBvh::squared_distance(const Node& node, const Vec3& p) {
+inline double FacetBvh::FloatBox::squared_distance(const Vec3& p) const {
   double sum = 0.0;
   for (int k = 0; k < 3; ++k) {
-    const double below = static_cast<double>(node.lo[k]) - p[k],
-                 above = p[k] - static_cast<double>(node.hi[k]);
+    const double below = static_cast<double>(lo[k]) - p[k], above = p[k] - static_cast<double>(hi[k]);
     const double d = std::max(std::max(below, above), 0.0);
     sum += d * d;
   }
@@ -168,7 +179,7 @@ void FacetBvh::visit_segment(const Vec3& p, const Vec3& q, const Visit& visit) c
       continue;
     }
     for (std::int32_t i = node.first; i < node.first - node.second; ++i)
-      if (meets(items_[i], p, q)) visit(items_[i].triangle);
+      if (item_meets(static_cast<std::uint32_t>(i), probe)) visit(items_[i].triangle);
   }
 }
 
@@ -179,9 +190,7 @@ bool FacetBvh::any_in_box(const Box3& box, const Accept& accept) const {
   stack.push(root_);
   while (stack.size > 0) {
     const Node& node = nodes_[stack.pop()];
-    bool apart = false;
-    for (int k = 0; k < 3; ++k) apart |= node.lo[k] > box.hi[k] || node.hi[k] < box.lo[k];
-    if (apart) continue;
+    if (node.apart(box)) continue;
     if (node.second >= 0) {
       stack.push(node.second);
       stack.push(node.first);
@@ -201,7 +210,7 @@ void FacetBvh::visit_within(const Vec3& p, double radius, int face, const Visit&
   stack.push(root_of(face));
   while (stack.size > 0) {
     const Node& node = nodes_[stack.pop()];
-    if (squared_distance(node, p) > r2) continue;
+    if (node.squared_distance(p) > r2) continue;
     if (node.second >= 0) {
       stack.push(node.second);
       stack.push(node.first);
@@ -225,7 +234,7 @@ std::optional<FacetFoot> FacetBvh::nearest_if(const Vec3& p, double max_distance
   bool found = false;
   double best2 = max_distance < 1e150 ? max_distance * max_distance : std::numeric_limits<double>::infinity();
   NearStack stack;
-  stack.entry[stack.size++] = {root, squared_distance(nodes_[root], p)};
+  stack.entry[stack.size++] = {root, nodes_[root].squared_distance(p)};
   while (stack.size > 0) {
     const auto [index, d2] = stack.entry[--stack.size];
     if (d2 > best2) continue;

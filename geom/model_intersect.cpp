@@ -106,8 +106,9 @@ class SegmentQuery {
   void find_triangles() {
     const FacetBvh& bvh = data_.bvh;
     const Vec3 q = segment_.at(1.0);
+    const FacetBvh::Probe probe(segment_.p, q);
     const bool few = data_.grid.visit_segment(segment_.p, q, [&](std::uint32_t item) {
-      if (bvh.item_meets(item, segment_.p, q)) triangles_.push_back(bvh.triangle(item));
+      if (bvh.item_meets(item, probe)) triangles_.push_back(bvh.triangle(item));
     });
     if (!few) bvh.visit_segment(segment_.p, q, [&](std::uint32_t t) { triangles_.push_back(t); });
     std::sort(triangles_.begin(), triangles_.end(), [&](std::uint32_t a, std::uint32_t b) {

@@ -43,7 +43,7 @@ TEST(RegionGrid, CellsAroundASegmentHoldAllFacetsThatItMeets) {
       bool seen = false;
       if (!grid.visit_segment(p, q, [&](std::uint32_t item) {
             seen = true;
-            if (bvh.item_meets(item, p, q)) from_cells.insert(bvh.triangle(item));
+            if (bvh.item_meets(item, FacetBvh::Probe(p, q))) from_cells.insert(bvh.triangle(item));
           }))
         continue;
       bvh.visit_segment(p, q, [&](std::uint32_t t) { from_tree.insert(t); });
