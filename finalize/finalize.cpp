@@ -18,8 +18,7 @@ namespace {
 constexpr int kPasses = 8;
 /// Sweeps of smoothing after each round of swaps for the mean.
 constexpr int kSweeps = 2;
-/// Nothing is made worse than this for the mean, and single tetrahedra below it are worked on (radians, 35
-/// degrees): the tail of the shapes.
+/// Nothing is made worse than this for the mean (radians, 35 degrees): the tail of the shapes.
 constexpr double kPolishAngle = 0.611;
 /// The worst are chased with every operator up to here (radians, 32 degrees). Measured on three parts at 100
 /// k: chasing to 20 left 18 to 25 degrees, to 28 left 28, to 32 left 30; to 35 costs four times as much and
@@ -55,7 +54,7 @@ void chase(Workshop& shop, double target, double polish, Observer& observer) {
   forget_failures(shop);
   shop.thorough = true;
   for (int pass = 0; pass < kPasses; ++pass) {
-    const std::size_t done = improve_worst_first(shop, target, Effort::kFull, observer);
+    const std::size_t done = improve_worst_first(shop, target, observer);
     if (pass > 0 && done == 0) break;
     relax_around(shop, target, polish);
   }
@@ -90,14 +89,12 @@ FinalizeReport finalize(Mesh& mesh, const Model& model, const FinalizeOptions& o
       break;
     case FinalizeScope::kFast:
       raise_mean(shop, polish, observer);
-      improve_worst_first(shop, target, Effort::kPolish, observer);
       chase(shop, target, polish, observer);
       break;
     case FinalizeScope::kAll:
       raise_mean(shop, polish, observer);
       collapse_for_mean(shop, polish);
       raise_mean(shop, polish, observer);
-      improve_worst_first(shop, std::max(polish, chased), Effort::kPolish, observer);
       chase(shop, chased, polish, observer);
       if (options.coarse_size_at) {
         shop.coarsening = true;

@@ -222,7 +222,7 @@ void relax_around(Workshop& shop, double goal, double wish) {
 
 void forget_failures(Workshop& shop) { shop.tried.clear(); }
 
-std::size_t improve_worst_first(Workshop& shop, double goal, Effort effort, Observer& observer) {
+std::size_t improve_worst_first(Workshop& shop, double goal, Observer& observer) {
   const WorkMesh& mesh = shop.mesh;
   std::priority_queue<Candidate> queue;
   for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
@@ -236,7 +236,7 @@ std::size_t improve_worst_first(Workshop& shop, double goal, Effort effort, Obse
     if (!mesh.alive(candidate.tet) || mesh.quality[candidate.tet] != candidate.quality) continue;
     if (taken++ % 64 == 0 && observer.cancelled()) throw Cancelled();
     if (is_hopeless(shop, candidate.tet)) continue;
-    if (!improve_tet(shop, candidate.tet, goal, effort)) {
+    if (!improve_tet(shop, candidate.tet, goal, Effort::kFull)) {
       note_failure(shop, candidate.tet);
       continue;
     }

@@ -11,7 +11,7 @@ namespace octet {
 /// local size: the nicks that points near to each other leave [Handbook 15.6.2].
 void collapse_short_edges(Workshop& shop);
 
-/// Which operators a pass may use.
+/// Which operators may be used.
 enum class Effort {
   kPolish,  ///< edge removal, face swaps and smoothing
   kFull,    ///< also collapses, splits and compound moves
@@ -23,7 +23,7 @@ bool improve_tet(Workshop& shop, TetId t, double goal, Effort effort);
 /// Takes the tetrahedra below `goal` (a shape) worst first, and the ones that come of them, and applies the
 /// first operator that betters each [Handbook 15.6.3]. Returns the number of operations done; stops when the
 /// work budget is spent.
-std::size_t improve_worst_first(Workshop& shop, double goal, Effort effort, Observer& observer);
+std::size_t improve_worst_first(Workshop& shop, double goal, Observer& observer);
 
 /// Smooths everything near the tetrahedra below `goal`, towards `wish`: what could not be bettered by itself
 /// may have room then.
