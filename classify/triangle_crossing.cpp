@@ -29,6 +29,21 @@ bool in_triangle(const PlaneView& view, const Vec3& p, const Vec3& a, const Vec3
   return (s >= 0 && t >= 0 && u >= 0) || (s <= 0 && t <= 0 && u <= 0);
 }
 
+/// Doubles tell the sign of a product of differences whose square is more than this share of the squared
+/// lengths' product: their error is 1e-14 of the lengths'.
+constexpr double kClear = 1e-24;
+
+/// Whether p and q lie beyond the side ab of a triangle so far that doubles are enough. `normal` is the
+/// product of two of its sides, `sides` that of their squared lengths.
+bool clearly_beyond(const Vec3& normal, double sides, const Vec3& p, const Vec3& q, const Vec3& a,
+                    const Vec3& b) {
+  const Vec3 ab = b - a, ap = p - a, aq = q - a, inward = normal.cross(ab);
+  const double p_in = inward.dot(ap), q_in = inward.dot(aq);
+  if (!(p_in < 0.0 && q_in < 0.0)) return false;
+  const double clear = kClear * sides * ab.squaredNorm();
+  return p_in * p_in > clear * ap.squaredNorm() && q_in * q_in > clear * aq.squaredNorm();
+}
+
 /// Proper crossings only: the others have an end within the triangle, or a corner on the segment, which the
 /// other two sides then cross or touch as well.
 bool cross(const PlaneView& view, const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b) {
@@ -46,6 +61,11 @@ bool meets_in_plane(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, 
 }  // namespace
 
 bool segment_meets_triangle(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 ab = b - a, ac = c - a, normal = ab.cross(ac);
+  const double sides = ab.squaredNorm() * ac.squaredNorm();
+  if (clearly_beyond(normal, sides, p, q, a, b) || clearly_beyond(normal, sides, p, q, b, c) ||
+      clearly_beyond(normal, sides, p, q, c, a))
+    return false;
   const int above = orient3d(a, b, c, p), below = orient3d(a, b, c, q);
   if (above * below > 0) return false;
   if (above == 0 && below == 0) return meets_in_plane(p, q, a, b, c);
@@ -54,9 +74,7 @@ bool segment_meets_triangle(const Vec3& p, const Vec3& q, const Vec3& a, const V
 }
 
 bool segment_enters_triangle(const Vec3& a, const Vec3& q, const Vec3& b, const Vec3& c) {
-  // Doubles tell nearly always that q is off the plane or beside the corner; their error is 1e-14 of the
-  // lengths' product at most.
-  constexpr double kClear = 1e-24;
+  // Doubles tell nearly always that q is off the plane or beside the corner.
   const Vec3 ab = b - a, ac = c - a, aq = q - a, normal = ab.cross(ac);
   const double ab2 = ab.squaredNorm(), ac2 = ac.squaredNorm(), most = kClear * ab2 * ac2 * aq.squaredNorm();
   const double above = normal.dot(aq), past_b = normal.dot(aq.cross(ab)), past_c = normal.dot(ac.cross(aq));

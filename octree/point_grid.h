@@ -91,8 +91,12 @@ class PointGrid {
   [[nodiscard]] Index cell(const Vec3& p, int level) const {
     const double scale = static_cast<double>(1 << level) / unit_;
     const Vec3 x = (p - origin_) * scale;
-    return {static_cast<std::int64_t>(std::floor(x.x())), static_cast<std::int64_t>(std::floor(x.y())),
-            static_cast<std::int64_t>(std::floor(x.z()))};
+    return {rounded_down(x.x()), rounded_down(x.y()), rounded_down(x.z())};
+  }
+  /// As std::floor, which is a call where the processor is not known.
+  [[nodiscard]] static std::int64_t rounded_down(double x) {
+    const auto towards_zero = static_cast<std::int64_t>(x);
+    return towards_zero - (static_cast<double>(towards_zero) > x ? 1 : 0);
   }
   [[nodiscard]] static std::uint64_t key(int level, const Index& c) {
     const auto part = [](std::int64_t x) { return static_cast<std::uint64_t>(x + 4) & 0xfffff; };

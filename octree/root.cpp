@@ -43,7 +43,7 @@ Lattice Root::cell_of(const Vec3& p) const {
   Lattice at{};
   for (int axis = 0; axis < 3; ++axis) {
     const double offset = (p[axis] - origin[axis]) / cell;
-    double i = std::clamp(std::floor(offset), 0.0, static_cast<double>(kLatticeExtent - 1));
+    double i = static_cast<std::uint32_t>(std::clamp(offset, 0.0, static_cast<double>(kLatticeExtent - 1)));
     // The division rounds; the lattice points do not, and they decide.
     if (i > 0.0 && origin[axis] + cell * i > p[axis]) i -= 1.0;
     if (i < kLatticeExtent - 1 && origin[axis] + cell * (i + 1.0) <= p[axis]) i += 1.0;
