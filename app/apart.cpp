@@ -8,6 +8,7 @@
 
 #include "app/scaled_sizes.h"
 #include "geom/bodies.h"
+#include "geom/sizing.h"
 
 namespace octet {
 namespace {
@@ -194,6 +195,14 @@ class Distribute {
   std::vector<std::vector<Mesh::Index>> own_;  ///< by body and vertex of the whole
 };
 
+/// Where no size is asked for, no body is coarser than its largest region by itself, be the whole a thousand
+/// times as large.
+double body_size(const Model& body, const MeshOptions& options) {
+  if (options.region_scale == 0.0) return options.size;
+  const std::vector<double> sizes = default_region_sizes(body);
+  return std::min(options.size, options.region_scale * *std::max_element(sizes.begin() + 1, sizes.end()));
+}
+
 /// What the attributes mean for each body: entities by their tags there, shapes as they are.
 std::vector<std::vector<SizeAttribute>> attributes_of(const Model& model, const Places& places,
                                                       const std::vector<SizeAttribute>& attributes,
@@ -228,16 +237,18 @@ bool is_meshed_apart(const Model& model) {
 MeshResult mesh_apart(const Model& model, const MeshOptions& options, Observer& observer) {
   const std::vector<Model> bodies = take_apart(model);
   const auto attributes = attributes_of(model, places_of(model, bodies), options.attributes, bodies.size());
-  MeshOptions each = with_default_size(model, options);
+  const MeshOptions all = with_default_size(model, options);
+  MeshOptions each = all;
   each.target_elements = 0.0;
   MeshResult whole;
   whole.report.status = MeshStatus::kComplete;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const Model& body = bodies[b];
     each.attributes = attributes[b];
+    each.size = body_size(body, all);
     each.max_elements = options.max_elements - std::min(options.max_elements, whole.report.tets);
     const MeshResult part = mesh_part(body, each, observer);
-    whole.report.size = part.report.size;
+    whole.report.size = std::max(whole.report.size, part.report.size);
     append_mesh(body, part.mesh, whole.mesh);
     append_report(body, part.report, whole.report);
   }

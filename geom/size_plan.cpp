@@ -23,6 +23,8 @@ constexpr double kFinestCurvedShare = 1.0 / 11.0;
 /// The solder balls of a chip, whose size suits the chip, are small, but no feature of anything. Octants come
 /// in powers of two: a region whose size is hardly smaller than the one asked for makes no difference.
 constexpr double kSmallRegionShare = 0.75;
+/// Nor is it held to less than this share of the part's diagonal: an octree has so many levels.
+constexpr double kFinestRegionShare = 1.0 / 32768.0;
 
 void check_number(const char* name, double value, bool zero_is_off) {
   if (!std::isfinite(value) || value < 0.0 || (value == 0.0 && !zero_is_off))
@@ -135,7 +137,8 @@ class Planner {
   void hold_small_regions() {
     std::vector<double> sizes = default_region_sizes(model_);
     for (std::size_t tag = 1; tag < sizes.size(); ++tag) {
-      sizes[tag] = within_limits(std::max(control_.region_scale * sizes[tag], plan_.min_size));
+      sizes[tag] =
+          within_limits(std::max(control_.region_scale * sizes[tag], kFinestRegionShare * model_.diagonal()));
       if (sizes[tag] > kSmallRegionShare * plan_.asked || plan_.region_size[tag] != kNoSize)
         sizes[tag] = kNoSize;
     }

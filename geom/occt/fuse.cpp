@@ -74,12 +74,15 @@ std::unique_ptr<GroupFuse> best_fuse(const std::vector<TopoDS_Shape>& solids) {
   const auto badness = [](const GroupFuse& fuse) {
     return std::make_tuple(fuse.failed(), fuse.conflicts().size(), fuse.thin_overlaps() + fuse.near().count);
   };
+  const double largest = kLargestTolerance * smallest;
   std::unique_ptr<GroupFuse> best;
+  double last = -1.0;
   for (const double share : kTolerances) {
-    if (share * diagonal > kLargestTolerance * smallest) break;
-    if (best && best->sound() && best->thin_overlaps() == 0 && share * diagonal < best->near().narrowest)
-      continue;
-    auto fuse = std::make_unique<GroupFuse>(solids, share * diagonal, kThin * diagonal);
+    const double tolerance = std::min(share * diagonal, largest);
+    if (tolerance <= last) break;
+    last = tolerance;
+    if (best && best->sound() && best->thin_overlaps() == 0 && tolerance < best->near().narrowest) continue;
+    auto fuse = std::make_unique<GroupFuse>(solids, tolerance, kThin * diagonal);
     if (!best || badness(*fuse) < badness(*best)) best = std::move(fuse);
     if (best->sound() && best->thin_overlaps() == 0 && best->near().count == 0) break;
   }
@@ -117,8 +120,12 @@ int shared_faces(const std::vector<TopoDS_Shape>& solids) {
 
 class Fuser {
  public:
-  Fuser(SolidSet& set, std::vector<KeptApart>& apart)
-      : set_(set), apart_(apart), is_apart_(set.solids.size(), false), images_(set.solids.size()) {
+  Fuser(SolidSet& set, std::vector<KeptApart>& apart, std::vector<DoneFuse>& done)
+      : set_(set),
+        apart_(apart),
+        done_(done),
+        is_apart_(set.solids.size(), false),
+        images_(set.solids.size()) {
     for (const KeptApart& kept : apart) is_apart_[kept.solid] = true;
     for (std::size_t i = 0; i < images_.size(); ++i) images_[i] = {set.solids[i]};
   }
@@ -148,13 +155,21 @@ class Fuser {
     while (group.size() > 1) {
       std::vector<TopoDS_Shape> solids;
       for (const std::size_t i : group) solids.push_back(set_.solids[i]);
-      const std::unique_ptr<GroupFuse> fuse = best_fuse(solids);
+      const std::shared_ptr<const GroupFuse> fuse = fuse_of(solids);
       if (fuse->sound()) {
         accept(group, *fuse);
         return;
       }
       leave_apart(*fuse, group);
     }
+  }
+
+  std::shared_ptr<const GroupFuse> fuse_of(const std::vector<TopoDS_Shape>& solids) {
+    const auto same = [](const TopoDS_Shape& a, const TopoDS_Shape& b) { return a.IsEqual(b); };
+    const auto known = std::find_if(done_.begin(), done_.end(), [&](const DoneFuse& done) {
+      return std::equal(solids.begin(), solids.end(), done.solids.begin(), done.solids.end(), same);
+    });
+    return known != done_.end() ? known->fuse : done_.emplace_back(DoneFuse{solids, best_fuse(solids)}).fuse;
   }
 
   void accept(const Group& group, const GroupFuse& fuse) {
@@ -211,6 +226,7 @@ class Fuser {
 
   SolidSet& set_;
   std::vector<KeptApart>& apart_;
+  std::vector<DoneFuse>& done_;
   std::vector<bool> is_apart_;
   std::vector<std::vector<TopoDS_Shape>> images_;  ///< by index of the set
   bool changed_ = false;                           ///< whether any fuse changed anything
@@ -218,6 +234,8 @@ class Fuser {
 
 }  // namespace
 
-void fuse_touching(SolidSet& set, std::vector<KeptApart>& apart) { Fuser(set, apart).run(); }
+void fuse_touching(SolidSet& set, std::vector<KeptApart>& apart, std::vector<DoneFuse>& done) {
+  Fuser(set, apart, done).run();
+}
 
 }  // namespace octet

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "base/vec.h"
+#include "geom/occt/group_fuse.h"
 #include "geom/occt/solids.h"
 
 namespace octet {
@@ -19,10 +21,21 @@ struct KeptApart {
   std::string cause;          ///< completes "is not joined with what it touches: "
 };
 
+/// A group of solids that has been fused, and what came of it.
+struct DoneFuse {
+  std::vector<TopoDS_Shape> solids;
+  std::shared_ptr<const GroupFuse> fuse;
+};
+
 /// Fuses each group of solids whose boxes meet. Solids in `apart` stay as they are, with faces, edges and
 /// vertices of their own; so do those that are not closed. Where a fuse leaves a solid open, two solids on
-/// one side of a face or edges that end nowhere, it is tried again with a tolerance, and then without the solids to blame, which are
-/// appended to `apart`.
-void fuse_touching(SolidSet& set, std::vector<KeptApart>& apart);
+/// one side of a face or edges that end nowhere, it is tried again with a tolerance, and then without the
+/// solids to blame, which are appended to `apart`. A group that is among `done` is not fused again; what is
+/// fused is added.
+void fuse_touching(SolidSet& set, std::vector<KeptApart>& apart, std::vector<DoneFuse>& done);
+inline void fuse_touching(SolidSet& set, std::vector<KeptApart>& apart) {
+  std::vector<DoneFuse> none;
+  fuse_touching(set, apart, none);
+}
 
 }  // namespace octet

@@ -21,10 +21,12 @@ constexpr double kAgree = 1e-5;  // of the rules of degree 2 and 5 on one triang
 constexpr int kMaxSplits = 5;
 
 struct Sum {
-  double area = 0.0, volume = 0.0;
+  double area = 0.0, moment = 0.0;
+  Vec3 vector = Vec3::Zero();
   void add(const Sum& other, double weight) {
     area += weight * other.area;
-    volume += weight * other.volume;
+    moment += weight * other.moment;
+    vector += weight * other.vector;
   }
 };
 
@@ -32,7 +34,9 @@ double cross2(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x
 
 class Integrator {
  public:
-  Integrator(const Surface& surface, const Vec3& origin) : jets_(occt_jets(surface)), origin_(origin) {}
+  Integrator(const Surface& surface, const Vec2& uv) : jets_(occt_jets(surface)), origin_(jets_(uv, 0).p) {}
+
+  [[nodiscard]] const Vec3& origin() const { return origin_; }
 
   [[nodiscard]] Sum triangle(const Vec2& a, const Vec2& b, const Vec2& c, int depth) const {
     const double half = 0.5 * cross2(b - a, c - a);
@@ -75,7 +79,7 @@ class Integrator {
   [[nodiscard]] Sum value(const Vec2& uv) const {
     const SurfaceJet jet = jets_(uv, 1);
     const Vec3 n = jet.du.cross(jet.dv);
-    return {n.norm(), (jet.p - origin_).dot(n) / 3.0};
+    return {n.norm(), (jet.p - origin_).dot(n) / 3.0, n};
   }
 
   [[nodiscard]] Sum degree_2(const Vec2& a, const Vec2& b, const Vec2& c) const {
@@ -101,7 +105,7 @@ class Integrator {
   }
 
   std::function<SurfaceJet(const Vec2&, int)> jets_;
-  const Vec3& origin_;
+  Vec3 origin_;
 };
 
 Vec2 uv_node(const Poly_Triangulation& triangulation, int i) {
@@ -156,12 +160,12 @@ void add_slivers(const TopoDS_Edge& edge, const TopoDS_Face& face,
 
 }  // namespace
 
-FaceIntegrals integrate_face(const TopoDS_Face& face, const Surface& surface, const Vec3& origin) {
+FaceIntegrals integrate_face(const TopoDS_Face& face, const Surface& surface) {
   const TopoDS_Face forward = TopoDS::Face(face.Oriented(TopAbs_FORWARD));
   TopLoc_Location place;
   const Handle(Poly_Triangulation) triangulation = BRep_Tool::Triangulation(forward, place);
   if (triangulation.IsNull()) return {};
-  const Integrator integrator(surface, origin);
+  const Integrator integrator(surface, uv_node(*triangulation, 1));
   Sum total;
   for (int i = 1; i <= triangulation->NbTriangles(); ++i) {
     int a = 0, b = 0, c = 0;
@@ -173,7 +177,7 @@ FaceIntegrals integrate_face(const TopoDS_Face& face, const Surface& surface, co
   for (TopExp_Explorer it(forward, TopAbs_EDGE); it.More(); it.Next())
     add_slivers(TopoDS::Edge(it.Current()), forward, triangulation, place, integrator, total);
   const double side = face.Orientation() == TopAbs_REVERSED ? -1.0 : 1.0;
-  return {std::abs(total.area), side * total.volume};
+  return {std::abs(total.area), side * total.vector, integrator.origin(), side * total.moment};
 }
 
 }  // namespace octet

@@ -99,7 +99,7 @@ class Joiner {
     joined_ = {healed_.solids, new BRepTools_History(), {}};
     if (options_.fuse && healed_.solids.size() > 1) {
       log_(fmt::format("fusing {} solid(s) that may touch", healed_.solids.size()));
-      fuse_touching(joined_, apart_);
+      fuse_touching(joined_, apart_, fuses_);
     }
     SolidSet all{joined_.solids, new BRepTools_History(), healed_.notes};
     all.history->Merge(healed_.history);
@@ -162,7 +162,8 @@ class Joiner {
   const StageLog& log_;
   std::vector<KeptApart> apart_;  ///< indices in healed_
   std::vector<LostSolid> lost_;
-  SolidSet joined_;  ///< of this attempt; its history begins with healed_
+  std::vector<DoneFuse> fuses_;  ///< of all attempts
+  SolidSet joined_;              ///< of this attempt; its history begins with healed_
   AssembledPart part_;
 };
 

@@ -138,18 +138,20 @@ void measure_vertices(double floor, double diagonal, ModelParts& parts) {
 void integrate(const Numbering& numbering, ModelParts& parts) {
   Box3 box;
   for (const Vec3& node : parts.facets.nodes) box.add(node);
-  std::vector<double> volume(parts.faces.size(), 0.0);
+  std::vector<FaceIntegrals> integrals(parts.faces.size());
   for (int tag = 1; tag <= numbering.count(2); ++tag) {
-    const FaceIntegrals integrals = integrate_face(numbering.face(tag), *parts.surfaces[tag], box.centre());
-    parts.faces[tag].area = integrals.area;
+    integrals[tag] = integrate_face(numbering.face(tag), *parts.surfaces[tag]);
+    parts.faces[tag].area = integrals[tag].area;
     parts.faces[tag].tolerance = 16e-12 * box.diagonal();
-    volume[tag] = integrals.volume;
   }
   for (int tag = 1; tag <= numbering.count(3); ++tag) {
     ModelRegion& region = parts.regions[tag];
+    Vec3 middle = Vec3::Zero();
+    for (const int face : region.faces)
+      middle += integrals[face].origin / static_cast<double>(region.faces.size());
     for (const int face : region.faces) {
-      if (parts.faces[face].region[0] == tag) region.volume += volume[face];
-      if (parts.faces[face].region[1] == tag) region.volume -= volume[face];
+      if (parts.faces[face].region[0] == tag) region.volume += integrals[face].volume(middle);
+      if (parts.faces[face].region[1] == tag) region.volume -= integrals[face].volume(middle);
     }
     if (!(region.volume > 0.0))
       throw ModelError(

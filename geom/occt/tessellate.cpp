@@ -24,8 +24,9 @@
 namespace octet {
 namespace {
 
-constexpr double kDeflectionShare = 1.0 / 2000.0;  // of the diagonal
-constexpr double kAngle = 0.3;                     // radians between neighbouring facets
+constexpr double kDeflectionShare = 1.0 / 2000.0;    // of the diagonal
+constexpr double kOwnDeflectionShare = 1.0 / 50.0;  // of the diagonal of the solids at the face
+constexpr double kAngle = 0.3;                       // radians between neighbouring facets
 constexpr auto kNone = static_cast<std::uint32_t>(-1);
 
 /// One face's OCCT triangulation, and its nodes' numbers in the welded set.
@@ -194,17 +195,36 @@ void weld(const Numbering& numbering, ModelParts& parts) {
   measure_deviation(welder.chain_parameters(), parts);
 }
 
+void add_edge(const ModelParts& parts, std::size_t edge, Box3& box) {
+  const ModelEdge& e = parts.edges[edge];
+  for (const int v : e.vertex) box.add(parts.vertices[v].point);
+  if (!parts.curves[edge]) return;
+  for (int i = 1; i < 8; ++i) box.add(parts.curves[edge]->point(e.t0 + i / 8.0 * (e.t1 - e.t0)));
+}
+
+/// By face tag. What suits an assembly may be larger than a screw in it, whose holes would vanish.
+std::vector<double> default_deflections(const ModelParts& parts) {
+  Box3 all;
+  for (std::size_t e = 1; e < parts.edges.size(); ++e) add_edge(parts, e, all);
+  std::vector<double> deflections(parts.faces.size(), kDeflectionShare * all.diagonal());
+  for (const ModelRegion& region : parts.regions) {
+    Box3 own;
+    for (const int face : region.faces)
+      for (const FaceBoundary& side : parts.faces[face].boundary)
+        add_edge(parts, static_cast<std::size_t>(side.edge), own);
+    if (!(own.diagonal() > 0.0)) continue;
+    for (const int face : region.faces)
+      deflections[face] = std::min(deflections[face], kOwnDeflectionShare * own.diagonal());
+  }
+  return deflections;
+}
+
 }  // namespace
 
 void tessellate(const Numbering& numbering, double deflection, const StageLog& log, ModelParts& parts) {
-  Box3 box;
-  for (std::size_t v = 1; v < parts.vertices.size(); ++v) box.add(parts.vertices[v].point);
-  for (std::size_t e = 1; e < parts.edges.size(); ++e)
-    if (parts.curves[e])
-      for (int i = 1; i < 8; ++i)
-        box.add(
-            parts.curves[e]->point(parts.edges[e].t0 + i / 8.0 * (parts.edges[e].t1 - parts.edges[e].t0)));
-  if (deflection <= 0.0) deflection = kDeflectionShare * box.diagonal();
+  const std::vector<double> deflections =
+      deflection > 0.0 ? std::vector<double>(parts.faces.size(), deflection) : default_deflections(parts);
+  const double coarsest = *std::max_element(deflections.begin(), deflections.end());
   std::optional<ModelError> first;
   const auto succeeds = [&](const auto& triangulate) {
     try {
@@ -218,14 +238,14 @@ void tessellate(const Numbering& numbering, double deflection, const StageLog& l
   };
   const auto own = [&] {
     (void)clean(numbering);
-    triangulate_boundary(numbering, parts, deflection, log);
+    triangulate_boundary(numbering, parts, deflections, log);
   };
   if (succeeds(own)) return;
   // OCCT's mesher takes loops that are not closed; it now and then loses a face or a piece of one where loops
   // nearly touch, and another spacing of the nodes along the edges then often succeeds.
   log(fmt::format("triangulating the faces with OCCT's mesher, since {},", first->what()));
   for (const double share : {1.0, 0.4, 0.15, 2.3})
-    if (succeeds([&] { run_mesher(numbering, share * deflection); })) return;
+    if (succeeds([&] { run_mesher(numbering, share * coarsest); })) return;
   throw ModelError(*first);
 }
 

@@ -93,13 +93,21 @@ std::vector<bool> edges_of_lenses(const ModelParts& parts) {
   return in_lens;
 }
 
-EdgeChains make_chains(double deflection, const ModelParts& parts) {
+/// The least deflection of an edge's faces.
+double edge_deflection(int edge, const std::vector<double>& deflection, const ModelParts& parts) {
+  double least = *std::max_element(deflection.begin(), deflection.end());
+  for (const int face : parts.edges[edge].faces) least = std::min(least, deflection[face]);
+  return least;
+}
+
+EdgeChains make_chains(const std::vector<double>& deflection, const ModelParts& parts) {
   EdgeChains chains(parts.edges.size());
   const std::vector<bool> in_lens = edges_of_lenses(parts);
-  for (std::size_t e = 1; e < parts.edges.size(); ++e)
-    chains[e] = parts.curves[e]
-                    ? Chain(*parts.curves[e], kEdgeShare * deflection).run(parts.edges[e], in_lens[e])
-                    : even_steps(parts.edges[e].t0, parts.edges[e].t1, kPolePoints);
+  for (std::size_t e = 1; e < parts.edges.size(); ++e) {
+    const double fine = kEdgeShare * edge_deflection(static_cast<int>(e), deflection, parts);
+    chains[e] = parts.curves[e] ? Chain(*parts.curves[e], fine).run(parts.edges[e], in_lens[e])
+                                : even_steps(parts.edges[e].t0, parts.edges[e].t1, kPolePoints);
+  }
   return chains;
 }
 
@@ -119,12 +127,9 @@ void share_chains(const Numbering& numbering, EdgeChains& chains) {
 /// short as tolerances.
 class Untangler {
  public:
-  Untangler(const Numbering& numbering, double deflection, const ModelParts& parts, EdgeChains& chains)
-      : numbering_(numbering),
-        deflection_(deflection),
-        shortest_(kShortestChord * deflection),
-        parts_(parts),
-        chains_(chains) {}
+  Untangler(const Numbering& numbering, const std::vector<double>& deflection, const ModelParts& parts,
+            EdgeChains& chains)
+      : numbering_(numbering), deflection_(deflection), parts_(parts), chains_(chains) {}
 
   void run() {
     std::vector<int> faces;
@@ -170,7 +175,7 @@ class Untangler {
         const Vec3 p = jets(a, 0).p, q = jets(b, 0).p;
         for (const double share : {0.5, 0.25, 0.75}) {
           const Vec3 x = jets((1.0 - share) * a + share * b, 0).p;
-          if (closest_on_triangle(x, p, q, q).distance > deflection_) chords.emplace(half.edge, k);
+          if (closest_on_triangle(x, p, q, q).distance > deflection_[face]) chords.emplace(half.edge, k);
         }
       }
   }
@@ -183,7 +188,8 @@ class Untangler {
       std::vector<double>& chain = chains_[edge];
       const double a = chain[index], b = chain[index + 1];
       if (!parts_.curves[edge] || chain.size() >= kMostPoints) continue;
-      if ((parts_.curves[edge]->point(b) - parts_.curves[edge]->point(a)).norm() < shortest_) continue;
+      const double shortest = kShortestChord * edge_deflection(edge, deflection_, parts_);
+      if ((parts_.curves[edge]->point(b) - parts_.curves[edge]->point(a)).norm() < shortest) continue;
       chain.insert(chain.begin() + static_cast<std::ptrdiff_t>(index) + 1, 0.5 * (a + b));
       faces.insert(parts_.edges[edge].faces.begin(), parts_.edges[edge].faces.end());
     }
@@ -191,8 +197,7 @@ class Untangler {
   }
 
   const Numbering& numbering_;
-  double deflection_;
-  double shortest_;
+  const std::vector<double>& deflection_;
   const ModelParts& parts_;
   EdgeChains& chains_;
 };
@@ -268,18 +273,18 @@ class FaceWriter {
 
 }  // namespace
 
-void triangulate_boundary(const Numbering& numbering, const ModelParts& parts, double deflection,
-                          const StageLog& log) {
+void triangulate_boundary(const Numbering& numbering, const ModelParts& parts,
+                          const std::vector<double>& deflection, const StageLog& log) {
   EdgeChains chains = make_chains(deflection, parts);
   share_chains(numbering, chains);
   Untangler(numbering, deflection, parts, chains).run();
   FacetLimits limits;
-  limits.deflection = deflection;
   TopTools_MapOfShape done;
   for (int tag = 1; tag <= numbering.count(2); ++tag) {
     // Instances of one face hang on one triangulation.
     if (!done.Add(numbering.face(tag).Located(TopLoc_Location()).Oriented(TopAbs_FORWARD))) continue;
     log(fmt::format("triangulating Face {}", tag));
+    limits.deflection = deflection[tag];
     const FacePolygons polygons = face_polygons(numbering, tag, chains, parts);
     const Surface& surface = *parts.surfaces[tag];
     const FaceFacets made =

@@ -9,6 +9,7 @@
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRep_Builder.hxx>
 #include <TopoDS_Compound.hxx>
+#include <algorithm>
 #include <gp_Pln.hxx>
 
 #include "geom/bodies.h"
@@ -75,6 +76,25 @@ TEST(Apart, EveryBodyIsMeshedAndJudgedByItself) {
   result.mesh.tets.pop_back();
   result.mesh.tet_in.pop_back();
   EXPECT_FALSE(accept_apart(result.mesh, model).holds());
+}
+
+TEST(Apart, ABodyIsNoCoarserThanItWouldBeByItself) {
+  TopoDS_Compound all;
+  BRep_Builder builder;
+  builder.MakeCompound(all);
+  builder.Add(all, BRepPrimAPI_MakeBox(1e5, 1e5, 1e5).Shape());
+  builder.Add(all, BRepPrimAPI_MakeBox(gp_Pnt(2e5, 0, 0), 0.1, 0.1, 0.1).Shape());
+  ReadOptions options;
+  options.fuse = false;
+  const Model model = model_from_shape(all, options);
+  const MeshResult unasked = mesh_part(model);
+  EXPECT_EQ(unasked.report.status, MeshStatus::kComplete);
+  EXPECT_GT(std::count(unasked.mesh.tet_in.begin(), unasked.mesh.tet_in.end(), 2), 500);
+  MeshOptions asked;
+  asked.size = 1e4;
+  const MeshResult coarse = mesh_part(model, asked);
+  EXPECT_EQ(coarse.report.size, 1e4);
+  EXPECT_LT(std::count(coarse.mesh.tet_in.begin(), coarse.mesh.tet_in.end(), 2), 100);
 }
 
 TEST(Apart, AFaceThatBoundsNothingIsAFaultAndNothingElse) {

@@ -73,6 +73,21 @@ TEST(ScaledSizes, SmallRegionsHaveASizeOfTheirOwnUnlessOneIsAskedFor) {
   EXPECT_EQ(with_default_size(model, uniform).region_scale, 0.0);
 }
 
+TEST(ScaledSizes, ARegionAThousandTimesSmallerThanThePartHasASizeOfItsOwn) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(4000.0, 3000.0, 2000.0).Shape();
+  const TopoDS_Shape ball = BRepPrimAPI_MakeSphere(gp_Pnt(5000.0, 0.0, 0.0), 1.0).Shape();
+  const BRep_Builder builder;
+  TopoDS_Compound both;
+  builder.MakeCompound(both);
+  builder.Add(both, box);
+  builder.Add(both, ball);
+  const Model model = model_from_shape(both);
+  const MeshOptions unasked = with_default_size(model, {});
+  const SizePlan plan = plan_sizes(model, unasked);
+  EXPECT_NEAR(plan.region_size[2], unasked.region_scale * std::sqrt(12.0) / 12.0, 0.02);
+  EXPECT_GT(plan.min_size, 5.0 * plan.region_size[2]);
+}
+
 TEST(ScaledSizes, ASizeAskedForIsLeftAlone) {
   MeshOptions options;
   options.size = 0.3;

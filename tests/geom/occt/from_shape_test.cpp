@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <BRepAlgoAPI_Cut.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Tool.hxx>
 #include <TopExp.hxx>
@@ -49,6 +51,18 @@ TEST(FromShape, LeavesTheShapeWithoutTriangulation) {
     TopLoc_Location place;
     EXPECT_TRUE(BRep_Tool::Triangulation(TopoDS::Face(face), place).IsNull());
   }
+}
+
+TEST(FromShape, ASolidsVolumeDoesNotDependOnHowFarOthersAre) {
+  // The edges where the cylinders meet lie off them by some 1e-7: seen from far away that is a wide gap.
+  const TopoDS_Shape across =
+      BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(-10, 1, 5), gp_Dir(1, 0.3, 0.2)), 3, 30).Shape();
+  const TopoDS_Shape part = BRepAlgoAPI_Cut(BRepPrimAPI_MakeCylinder(5, 20).Shape(), across).Shape();
+  const TopoDS_Shape far = BRepPrimAPI_MakeBox(gp_Pnt(3e7, 2e7, 1e7), 1e6, 1e6, 1e6).Shape();
+  const double alone = model_from_shape(part).region(1).volume;
+  const Model both = model_from_shape(compound_of({part, far}));
+  EXPECT_NEAR(both.region(1).volume, alone, 1e-5 * alone);
+  EXPECT_NEAR(both.region(2).volume, 1e18, 1e6);
 }
 
 TEST(FromShape, FusesSolidsThatTouch) {

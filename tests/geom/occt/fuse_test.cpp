@@ -154,6 +154,22 @@ TEST(Fuse, ASolidKeptApartSharesNothing) {
   EXPECT_EQ(faces_in(set.solids), 17);
 }
 
+TEST(Fuse, WhatHasBeenFusedIsNotFusedAgain) {
+  const std::vector<TopoDS_Shape> solids{box(0, 1), box(1, 2), box(5, 6), box(6, 7), box(7, 8)};
+  std::vector<DoneFuse> done;
+  std::vector<KeptApart> apart;
+  SolidSet first = set_of(solids), again = set_of(solids), without = set_of(solids);
+  fuse_touching(first, apart, done);
+  ASSERT_EQ(done.size(), 2u);
+  fuse_touching(again, apart, done);
+  EXPECT_EQ(done.size(), 2u);
+  EXPECT_EQ(faces_in(again.solids), faces_in(first.solids));
+  apart.push_back({4, 4, Vec3::Zero(), "test"});
+  fuse_touching(without, apart, done);
+  EXPECT_EQ(done.size(), 3u) << "the group with the last solid only";
+  EXPECT_EQ(faces_in(without.solids), faces_in(first.solids) + 1);
+}
+
 TEST(Fuse, ASolidThatCannotBeClosedIsLeftOutAndTheOthersAreJoined) {
   const Model model = model_from_shape(compound_of({box(0, 1), open_box(1, 2), box(2, 3), box(-1, 0)}));
   EXPECT_EQ(model.count(3), 3);
