@@ -89,6 +89,15 @@ TEST(Fuse, AGapOfNoMoreThanNoiseIsClosedWithATolerance) {
   EXPECT_EQ(model_from_shape(compound_of({large, splines})).count(2), 12) << "planes as splines";
 }
 
+TEST(Fuse, TheLargestToleranceThatTheSmallestSolidAllowsIsTried) {
+  // An overlap of 1e-4: the share of the diagonal before is less, the next is more than the small one allows.
+  const TopoDS_Shape small = BRepPrimAPI_MakeBox(gp_Pnt(1000 - 1e-4, 30, 30), gp_Pnt(1009, 39, 39)).Shape();
+  const TopoDS_Shape large = BRepPrimAPI_MakeBox(1000.0, 1000.0, 1000.0).Shape();
+  const Model model = model_from_shape(compound_of({large, small}));
+  EXPECT_EQ(model.count(3), 2);
+  EXPECT_EQ(model.count(2), 12) << "one of them between the two";
+}
+
 TEST(Fuse, AGapThatIsMoreThanNoiseStays) {
   const TopoDS_Shape far = BRepPrimAPI_MakeBox(gp_Pnt(100.001, 30, 30), gp_Pnt(150, 60, 60)).Shape();
   const TopoDS_Shape large = BRepPrimAPI_MakeBox(gp_Pnt(0, 0, 0), gp_Pnt(100, 100, 100)).Shape();

@@ -45,6 +45,20 @@ TEST(Triangulate, AHoleThatNearlyTouchesTheBorderStaysOpenAndTheBorderClosed) {
   }
 }
 
+TEST(Triangulate, ASolidAThousandthOfTheAssemblyKeepsItsHole) {
+  TopoDS_Compound both;
+  BRep_Builder builder;
+  builder.MakeCompound(both);
+  builder.Add(both, drilled(5.0, 3.0));
+  builder.Add(both, BRepPrimAPI_MakeBox(gp_Pnt(2e4, 0, 0), 1e5, 1e5, 1e5).Shape());
+  const Model model = model_from_shape(both);
+  EXPECT_EQ(check_model(model), "");
+  EXPECT_EQ(model.region_at(Vec3(5.0, 5.0, 0.5)), 0) << "in the hole";
+  EXPECT_EQ(model.region_at(Vec3(5.0, 2.4, 0.5)), 0);
+  EXPECT_EQ(model.region_at(Vec3(5.0, 1.6, 0.5)), 1);
+  EXPECT_NEAR(model.region(1).volume, 100.0 - 9.0 * kPi, 1e-4);
+}
+
 TEST(Triangulate, FacetsEndWhereTheFaceDoesThoughItsSidesAreBentInParameters) {
   const Model model = read_part(sample_path("bugs/skewed_roof"));
   EXPECT_EQ(check_model(model), "");
