@@ -2,6 +2,7 @@
 // The library's front door: a model in, a classified mesh and a report out.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "geom/size_plan.h"
 #include "mesh/mesh.h"
 #include "mesh/quality.h"
+#include "octree/root.h"
 
 namespace octet {
 
@@ -24,6 +26,7 @@ struct MeshOptions : SizeControl {
   std::size_t max_elements = 20'000'000;  ///< LimitError when more would be needed
   int threads = 1;                        ///< same bytes for any number
   bool finalize = true;
+  std::array<double, 3> shift = kRootShift;   ///< of the part in the lattice: octree/root.h
   FinalizeScope scope = FinalizeScope::kAll;  ///< of finalization
 };
 

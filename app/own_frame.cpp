@@ -11,9 +11,6 @@
 namespace octet {
 namespace {
 
-/// Each coordinate axis is one of them, or its opposite.
-bool are_coordinate_axes(const Eigen::Matrix3d& axes) { return (axes.array().abs() == 1.0).count() == 3; }
-
 bool asks_over_space(const MeshOptions& options) {
   using Where = SizeAttribute::Where;
   return options.background ||
@@ -27,7 +24,7 @@ bool asks_over_space(const MeshOptions& options) {
 OwnFrame::OwnFrame(const Model& part, const MeshOptions& options) : part_(part), options_(options) {
   if (is_meshed_apart(part) || asks_over_space(options)) return;
   axes_ = own_axes(part);
-  if (are_coordinate_axes(axes_)) return;
+  if (axes_ == Eigen::Matrix3d::Identity()) return;
   turned_ = turned_model(part, axes_);
   for (SizeAttribute& attribute : options_.attributes) attribute.a = to_model(attribute.a);
 }

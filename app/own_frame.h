@@ -10,7 +10,7 @@
 namespace octet {
 
 /// Between the part as the user has it and the part turned into its own axes (geom/own_axes). It stays as it
-/// is where these are the coordinate axes, in whatever order, where sizes are asked for over space (shapes,
+/// is where these are the coordinate axes, in their order, where sizes are asked for over space (shapes,
 /// fields: their boxes do not turn), and where bodies are meshed apart, each of which has axes of its own.
 class OwnFrame {
  public:

@@ -143,7 +143,9 @@ class Run {
 
   [[nodiscard]] Octree build_tree() {
     begin("octree", 0.0);
-    Octree tree = build_octree(model_, octant_request(plan_), octant_samples(plan_));
+    OctreeRequest request = octant_request(plan_);
+    request.shift = options_.shift;
+    Octree tree = build_octree(model_, request, octant_samples(plan_));
     observer_.note(fmt::format("octree: {} octants, {} size samples", tree.size(), plan_.samples.size()));
     return tree;
   }

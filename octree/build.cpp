@@ -130,7 +130,7 @@ void split_for_samples(SplitKeys& splits, const Root& root, std::span<const Size
 }  // namespace
 
 Octree build_octree(const Model& model, const OctreeRequest& request, std::span<const SizeSample> samples) {
-  const PlacedRoot placed = place_root(model.box(), request.size);
+  const PlacedRoot placed = place_root(model.box(), request.size, request.shift);
   check_volume(model, request);
   SplitKeys splits = split_for_model(model, placed, request);
   split_for_samples(splits, placed.root, samples);

@@ -83,6 +83,7 @@ struct OctreeRequest {
   std::vector<double> region_size = {};  ///< octant length per region tag, infinite for none; may be empty
   SizeField field = {};                  ///< octant lengths over space; may be empty
   int layers = 1;                        ///< octants of a level side by side before they may double
+  std::array<double, 3> shift = kRootShift;  ///< of the part's box in the lattice, as in place_root()
 };
 
 /// Builds the tree [Schroeder & Shephard 1990, "Tree building"; Handbook 15.4]: every octant that meets the

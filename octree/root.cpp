@@ -15,10 +15,6 @@ namespace {
 /// Root edge minus box edge, in sizes: 3 to 4 below the box, and at least 3 above it, whatever the shift.
 constexpr double kSlack = 8.0;
 
-/// sqrt 3 - 1, sqrt 7 - 2, sqrt 10 - 3: of the small square roots these stay 0.07 octants away from every
-/// octant plane for nine levels below the size, so that a plane of the box meets no octant plane there.
-constexpr std::array<double, 3> kShift{0.7320508075688773, 0.6457513110645906, 0.16227766016837933};
-
 int level_of_size(const Box3& box, double size) {
   const double cells = box.size().maxCoeff() / size + kSlack;
   int level = 0;
@@ -52,7 +48,7 @@ Lattice Root::cell_of(const Vec3& p) const {
   return at;
 }
 
-PlacedRoot place_root(const Box3& box, double size) {
+PlacedRoot place_root(const Box3& box, double size, const std::array<double, 3>& shift) {
   if (!(size > 0.0) || !std::isfinite(size)) throw InputError("the size asked for must be a positive number");
   if (box.empty() || !std::isfinite(box.diagonal())) throw InputError("the part has no extent");
   PlacedRoot placed;
@@ -70,7 +66,7 @@ PlacedRoot place_root(const Box3& box, double size) {
   const double h = placed.root.length(placed.level);
   for (int axis = 0; axis < 3; ++axis) {
     const double slack = placed.root.size / h - box.size()[axis] / h;
-    const double below = std::floor((slack - kShift[axis]) / 2.0) + kShift[axis];
+    const double below = std::floor((slack - shift[axis]) / 2.0) + shift[axis];
     placed.root.origin[axis] = rounded_down(box.lo[axis] - below * h, quantum);
   }
   return placed;

@@ -2,6 +2,8 @@
 // The root cube: where the lattice lies in space.
 #pragma once
 
+#include <array>
+
 #include "base/vec.h"
 #include "octree/octant.h"
 
@@ -31,14 +33,21 @@ struct PlacedRoot {
   int level = 0;  ///< of an octant of the size asked for
 };
 
+/// sqrt 3 - 1, sqrt 7 - 2, sqrt 10 - 3: of the small square roots these stay 0.07 octants away from every
+/// octant plane for nine levels below the size, so that a plane of the box meets no octant plane there.
+inline constexpr std::array<double, 3> kRootShift{0.7320508075688773, 0.6457513110645906,
+                                                  0.16227766016837933};
+
 /// A root around `box` in which `size` is a level, with at least 2.5 sizes of outside on every side, shifted
-/// by an irrational share of the size.
+/// so that the lower planes of the box lie `shift` sizes above planes of octants of that size; each in [0,
+/// 1).
 ///
 /// Ensures that every lattice point, and every octant's centre, is exact in doubles: eight corners of an
 /// octant lie exactly on one sphere, so that ties are broken by rank and not by rounding. For that the size
 /// is rounded down, by less than 1e-8 of itself for parts no farther from the origin than 16 root edges.
 /// LimitError when the size needs more than kDeepestLevel levels; InputError when it is not a positive
 /// number.
-[[nodiscard]] PlacedRoot place_root(const Box3& box, double size);
+[[nodiscard]] PlacedRoot place_root(const Box3& box, double size,
+                                    const std::array<double, 3>& shift = kRootShift);
 
 }  // namespace octet

@@ -34,8 +34,17 @@ TEST(OwnFrame, HoweverAPartIsTurnedItGetsTheSameSizeAndElements) {
   expect_same(analytic_cone(1.0, 2.0, turned_far(2.0)), analytic_cone(1.0, 2.0, turned_far()));
 }
 
-TEST(OwnFrame, NothingIsTurnedAlongTheAxesOrWithSizesOverSpace) {
-  const Model still = analytic_box(Vec3(1, 3, 2));
+TEST(OwnFrame, APartAlongTheCoordinateAxesGetsWhatItGetsTurned) {
+  AnalyticOptions lying;
+  lying.frame.axes = Eigen::AngleAxisd(0.5 * M_PI, Vec3::UnitY()).toRotationMatrix();
+  for (const Vec3& size : {Vec3(1, 2, 3), Vec3(0.4, 3, 2)}) {
+    expect_same(analytic_box(size), analytic_box(size, turned_far()));
+    expect_same(analytic_box(size), analytic_box(size, lying));
+  }
+}
+
+TEST(OwnFrame, NothingIsTurnedAlongItsOwnAxesOrWithSizesOverSpace) {
+  const Model still = analytic_box(Vec3(1, 2, 3));
   const OwnFrame standing(still, {});
   EXPECT_EQ(&standing.model(), &still);
   const Model turned = analytic_box(Vec3(1, 3, 2), turned_far());
