@@ -10,7 +10,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/wide_clones.h"
 #include "geom/occt/bernstein.h"
+
+// Vectors are handed over within this file alone, so that no caller need know how.
+#pragma GCC diagnostic ignored "-Wpsabi"
+// What is inlined becomes part of the versions for wider registers.
+#define OCTET_LANEWISE [[gnu::always_inline]] inline
 
 namespace octet {
 namespace {
@@ -50,7 +56,70 @@ void append_powers(const Geom_BezierSurface& patch, const Vec3& middle, const Be
     }
 }
 
+/// A homogeneous point; a type of the compiler's, for which it makes code for several machines.
+typedef double Lanes __attribute__((vector_size(4 * sizeof(double)), aligned(alignof(Eigen::Vector4d))));
+
+/// HornerRow, with as many derivatives as are asked for.
+template <int kDerivatives>
+struct LaneRow {
+  Lanes value{}, first{}, second{};
+  OCTET_LANEWISE void push(const Lanes& c, double s) {
+    if constexpr (kDerivatives > 1) second = second * s + first;
+    if constexpr (kDerivatives > 0) first = first * s + value;
+    value = value * s + c;
+  }
+};
+
+/// A patch and its derivatives by the places in its span; `uu` and `vv` are half of the second ones.
+struct PatchJet {
+  Eigen::Vector4d value, u, v, uu, uv, vv;
+};
+
+OCTET_LANEWISE void store(const Lanes& from, Eigen::Vector4d& to) {
+  to = {from[0], from[1], from[2], from[3]};
+}
+
+template <int kDerivatives>
+OCTET_LANEWISE void evaluate_patch(const Eigen::Vector4d* c, std::size_t nu, std::size_t nv, double s,
+                                   double r, PatchJet& jet) {
+  LaneRow<kDerivatives> at;
+  LaneRow<std::max(kDerivatives - 1, 0)> along_v;
+  LaneRow<0> along_vv;
+  for (std::size_t k = nu; k-- > 0;) {
+    LaneRow<kDerivatives> row;
+    for (std::size_t l = nv; l-- > 0;) {
+      const Eigen::Vector4d& p = c[k * nv + l];
+      row.push(Lanes{p[0], p[1], p[2], p[3]}, r);
+    }
+    at.push(row.value, s);
+    if constexpr (kDerivatives > 0) along_v.push(row.first, s);
+    if constexpr (kDerivatives > 1) along_vv.push(row.second, s);
+  }
+  store(at.value, jet.value);
+  if constexpr (kDerivatives > 0) {
+    store(at.first, jet.u);
+    store(along_v.value, jet.v);
+  }
+  if constexpr (kDerivatives > 1) {
+    store(at.second, jet.uu);
+    store(along_v.first, jet.uv);
+    store(along_vv.value, jet.vv);
+  }
+}
+
 }  // namespace
+
+// The work of SplineSpans::evaluate, on one patch.
+namespace spline_lanes {
+
+OCTET_WIDE_CLONES void evaluate(const Eigen::Vector4d* c, std::size_t nu, std::size_t nv, double s, double r,
+                                int derivatives, PatchJet& jet) {
+  if (derivatives == 0) return evaluate_patch<0>(c, nu, nv, s, r, jet);
+  if (derivatives == 1) return evaluate_patch<1>(c, nu, nv, s, r, jet);
+  evaluate_patch<2>(c, nu, nv, s, r, jet);
+}
+
+}  // namespace spline_lanes
 
 std::unique_ptr<const SplineSpans> SplineSpans::make(const Handle(Geom_Surface) & surface) {
   Handle(Geom_BSplineSurface) spline = Handle(Geom_BSplineSurface)::DownCast(surface);
@@ -103,36 +172,29 @@ SurfaceJet SplineSpans::evaluate(const Vec2& uv, int derivatives) const {
   const auto nu = static_cast<std::size_t>(u_.degree) + 1, nv = static_cast<std::size_t>(v_.degree) + 1;
   const std::size_t span = a * (v_.knots.size() - 1) + b;
   const Eigen::Vector4d* c = coefficients_.data() + span * nu * nv;
-  HornerRow at, along_v, along_vv;
-  for (std::size_t k = nu; k-- > 0;) {
-    HornerRow row;
-    for (std::size_t l = nv; l-- > 0;) row.push(c[k * nv + l], r, derivatives);
-    at.push(row.value, s, derivatives);
-    if (derivatives > 0) along_v.push(row.first, s, derivatives - 1);
-    if (derivatives > 1) along_vv.push(row.second, s, 0);
-  }
-  // Horner's second row holds half of the second derivative.
-  const double w = at.value[3];
+  PatchJet patch;
+  spline_lanes::evaluate(c, nu, nv, s, r, derivatives, patch);
+  const double w = patch.value[3];
   SurfaceJet jet;
   const auto head = [](const Eigen::Vector4d& x) { return Vec3(x.head<3>()); };
-  const Vec3 p = rational_ ? Vec3(head(at.value) / w) : head(at.value);
+  const Vec3 p = rational_ ? Vec3(head(patch.value) / w) : head(patch.value);
   jet.p = p + centres_[span];
   if (derivatives == 0) return jet;
-  const Eigen::Vector4d u1 = at.first / hu, v1 = along_v.value / hv;
+  const Eigen::Vector4d u1 = patch.u / hu, v1 = patch.v / hv;
   if (!rational_) {
     jet.du = head(u1);
     jet.dv = head(v1);
     if (derivatives < 2) return jet;
-    jet.duu = head(at.second) * (2.0 / (hu * hu));
-    jet.duv = head(along_v.first) / (hu * hv);
-    jet.dvv = head(along_vv.value) * (2.0 / (hv * hv));
+    jet.duu = head(patch.uu) * (2.0 / (hu * hu));
+    jet.duv = head(patch.uv) / (hu * hv);
+    jet.dvv = head(patch.vv) * (2.0 / (hv * hv));
     return jet;
   }
   jet.du = (head(u1) - u1[3] * p) / w;
   jet.dv = (head(v1) - v1[3] * p) / w;
   if (derivatives < 2) return jet;
-  const Eigen::Vector4d uu = at.second * (2.0 / (hu * hu)), mixed = along_v.first / (hu * hv),
-                        vv = along_vv.value * (2.0 / (hv * hv));
+  const Eigen::Vector4d uu = patch.uu * (2.0 / (hu * hu)), mixed = patch.uv / (hu * hv),
+                        vv = patch.vv * (2.0 / (hv * hv));
   jet.duu = (head(uu) - 2.0 * u1[3] * jet.du - uu[3] * p) / w;
   jet.duv = (head(mixed) - u1[3] * jet.dv - v1[3] * jet.du - mixed[3] * p) / w;
   jet.dvv = (head(vv) - 2.0 * v1[3] * jet.dv - vv[3] * p) / w;
