@@ -29,14 +29,33 @@ constexpr double kGapShare = 1.2;
 /// length (a circle whose two curves start at opposite places is off by a third), is misplaced.
 constexpr double kMisplaced = 0.05;
 
+/// Where coordinates are no finer than 1e-4 mm no part can be told from its neighbourhood.
+constexpr double kFarthest = 1e12;  // mm
+
+void refuse_far(const Vec3& point, ModelRef entity, const char* kind) {
+  if ((point.array().abs() < kFarthest).all()) return;
+  throw ModelError(
+      fmt::format("{} {} lies at ({:.6g}, {:.6g}, {:.6g}) mm, where coordinates hold no lengths of "
+                  "a part any more",
+                  kind, entity.tag, point.x(), point.y(), point.z()),
+      entity);
+}
+
+/// Of the vertices and edges; fails where one lies beyond kFarthest or nowhere.
 double diagonal_of(const ModelParts& parts) {
   Box3 box;
-  for (std::size_t v = 1; v < parts.vertices.size(); ++v) box.add(parts.vertices[v].point);
+  const auto add = [&box](const Vec3& point, ModelRef entity, const char* kind) {
+    refuse_far(point, entity, kind);
+    box.add(point);
+  };
+  for (std::size_t v = 1; v < parts.vertices.size(); ++v)
+    add(parts.vertices[v].point, model_vertex(static_cast<int>(v)), "Vertex");
   for (std::size_t e = 1; e < parts.edges.size(); ++e)
     if (parts.curves[e])
-      for (int i = 1; i < 8; ++i)
-        box.add(
-            parts.curves[e]->point(parts.edges[e].t0 + i / 8.0 * (parts.edges[e].t1 - parts.edges[e].t0)));
+      for (int i = 1; i < 8; ++i) {
+        const double t = parts.edges[e].t0 + i / 8.0 * (parts.edges[e].t1 - parts.edges[e].t0);
+        add(parts.curves[e]->point(t), model_edge(static_cast<int>(e)), "Edge");
+      }
   return box.diagonal();
 }
 

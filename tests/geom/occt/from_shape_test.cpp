@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepBuilderAPI_Transform.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
@@ -196,6 +197,19 @@ TEST(FromShape, DeflectionBoundsTheFacets) {
   const Model coarse_model = model_from_shape(ball), fine_model = model_from_shape(ball, fine);
   EXPECT_GE(fine_model.facets().triangles.size(), coarse_model.facets().triangles.size());
   EXPECT_LT(fine_model.facets().deviation[1], 0.04);
+}
+
+TEST(FromShape, APartTooFarOffForItsLengthsIsRefusedWithTheVertex) {
+  gp_Trsf away;
+  away.SetTranslation(gp_Vec(0, 0, 1e13));
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(1, 2, 3).Shape();
+  try {
+    (void)model_from_shape(BRepBuilderAPI_Transform(box, away, true).Shape());
+    FAIL() << "lengths of 1 mm are lost at 1e13";
+  } catch (const ModelError& error) {
+    EXPECT_EQ(error.entity().dim, 0);
+    EXPECT_NE(std::string(error.what()).find("1e+13"), std::string::npos) << error.what();
+  }
 }
 
 }  // namespace
