@@ -207,8 +207,8 @@ TEST(Convergence, ConeAtAUniformSizeIsSecondOrderButForALogarithm) {
   expect_second_order(analytic_cone(1.0, 1.5), {.first = 0.25, .count = 4}, 1, 3.3);
 }
 /// Graded towards the apex, as its curvature asks, the logarithm goes. How many pieces the base's circle gets
-/// depends on where larger octants begin beside it: single halvings of its length divide by 3.2 or by more
-/// than 4, two of them by 3.5 squared.
+/// depends on where larger octants begin beside it: one halving may divide the errors by 3.2, two of them
+/// divide by more than 3.5 squared.
 TEST(Convergence, ConeGradedByCurvatureIsSecondOrder) {
   expect_second_order(analytic_cone(1.0, 1.5), {.first = 0.2, .angle_per_size = 0.5}, 1, 3.1);
 }
