@@ -23,7 +23,10 @@ constexpr double kFinestCurvedShare = 1.0 / 11.0;
 /// The solder balls of a chip, whose size suits the chip, are small, but no feature of anything. Octants come
 /// in powers of two: a region whose size is hardly smaller than the one asked for makes no difference.
 constexpr double kSmallRegionShare = 0.75;
-/// Nor is it held to less than this share of the part's diagonal: an octree has so many levels.
+/// A region whose size is below this share of the smallest is smaller than one octant, and would vanish: it
+/// is held to its own size, though to no less than a share of the part's diagonal, for an octree has so many
+/// levels.
+constexpr double kVanishingShare = 1.0 / 12.0;
 constexpr double kFinestRegionShare = 1.0 / 32768.0;
 
 void check_number(const char* name, double value, bool zero_is_off) {
@@ -137,8 +140,10 @@ class Planner {
   void hold_small_regions() {
     std::vector<double> sizes = default_region_sizes(model_);
     for (std::size_t tag = 1; tag < sizes.size(); ++tag) {
+      const double own = control_.region_scale * sizes[tag];
+      const bool vanishes = own < kVanishingShare * plan_.min_size;
       sizes[tag] =
-          within_limits(std::max(control_.region_scale * sizes[tag], kFinestRegionShare * model_.diagonal()));
+          within_limits(std::max(own, vanishes ? kFinestRegionShare * model_.diagonal() : plan_.min_size));
       if (sizes[tag] > kSmallRegionShare * plan_.asked || plan_.region_size[tag] != kNoSize)
         sizes[tag] = kNoSize;
     }
