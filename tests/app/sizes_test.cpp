@@ -66,10 +66,9 @@ Mesh box_with(const std::vector<std::string>& wishes, double size) {
   return complete(analytic_box(Vec3(3.0, 2.0, 2.5)), options).mesh;
 }
 
-void expect_median(const std::vector<double>& lengths, double size, const std::string& what,
-                   double tolerance = 0.25) {
+void expect_median(const std::vector<double>& lengths, double size, const std::string& what) {
   ASSERT_FALSE(lengths.empty()) << what;
-  EXPECT_NEAR(median(lengths) / size, 1.0, tolerance) << what;
+  EXPECT_NEAR(median(lengths) / size, 1.0, 0.25) << what;
   EXPECT_LT(lengths.back(), 2.0 * size) << what;
 }
 
@@ -94,10 +93,7 @@ TEST(Sizes, FacesGetTheirsAndTheRestItsOwn) {
   for (const double size : {0.05, 0.06, 0.07, 0.085, 0.1}) {
     const Mesh mesh = box_with({"Face" + std::to_string(face) + "=" + std::to_string(size)}, 0.4);
     const std::string what = "face of size " + std::to_string(size);
-    // Points on a plane along the lattice's stand in centred squares of an octant, with two edges of three of
-    // 0.77 of the size; in squares, with edges of 1.08, where the octants on either side are larger ones.
-    // Which it is depends on where the plane lies between octants, whose length may be off by 12 %.
-    expect_median(edge_lengths(mesh, test::triangles_on(mesh, face)), size, what, 0.35);
+    expect_median(edge_lengths(mesh, test::triangles_on(mesh, face)), size, what);
     // Sizes double from octant to octant: beyond 0.4 + 0.2 + ... nothing is finer than before.
     const auto far = [](const Mesh& m) {
       return mean(lengths_beyond(m, 1.0, [](const Vec3& p) { return p.x(); }));
@@ -116,7 +112,7 @@ TEST(Sizes, EdgesGetTheirs) {
 TEST(Sizes, EdgesGetTheNumberOfElementsAskedFor) {
   for (const int n : {9, 12, 17, 23, 40}) {
     const Mesh mesh = box_with({"Edge2=/" + std::to_string(n)}, 0.4);
-    EXPECT_NEAR(static_cast<double>(test::edges_on(mesh, 2).size()) / n, 1.0, 0.25) << n;
+    EXPECT_NEAR(static_cast<double>(test::edges_on(mesh, 2).size()) / n, 1.0, 0.2) << n;
   }
 }
 
@@ -231,7 +227,7 @@ TEST(Sizes, CurvatureGivesTheElementsAskedForOnATorus) {
   const Model model = analytic_torus(1.2, minor, {{}, 1e-3});
   for (const int n : {10, 14, 18}) {
     const Mesh mesh = complete(model, by_curvature(0.6, n)).mesh;
-    EXPECT_NEAR(2.0 * M_PI * minor / mean(edge_lengths(mesh, mesh.triangles)) / n, 1.0, 0.25) << n;
+    EXPECT_NEAR(2.0 * M_PI * minor / mean(edge_lengths(mesh, mesh.triangles)) / n, 1.0, 0.2) << n;
   }
 }
 
