@@ -5,21 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/wide_clones.h"
 #include "finalize/shape.h"
-
-// Vectors are handed over within this file alone, so that no caller need know how.
-#pragma GCC diagnostic ignored "-Wpsabi"
-// What is inlined becomes part of the versions for wider registers.
-#define OCTET_LANEWISE [[gnu::always_inline]] inline
 
 namespace octet {
 namespace {
 
-using Lanes = StarBases::Lanes;
 using LaneVec = StarBases::LaneVec;
 using Block = StarBases::Block;
-constexpr std::size_t kLanes = StarBases::kLanes;
 
 OCTET_LANEWISE LaneVec minus(const Vec3& p, const LaneVec& q) {
   return {{p.x() - q[0], p.y() - q[1], p.z() - q[2]}};

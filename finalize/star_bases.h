@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "base/wide_clones.h"
 #include "finalize/mean_shape.h"
 
 namespace octet {
@@ -54,10 +55,6 @@ class StarBases {
   /// Root of the mean squared distance between the place and the corners of the bases.
   [[nodiscard]] double mean_length(const Vec3& place) const;
 
-  static constexpr std::size_t kLanes = 4;
-  /// Elementwise arithmetic; a type of the compiler's, for which it makes code for several machines.
-  typedef double Lanes
-      __attribute__((vector_size(kLanes * sizeof(double)), aligned(kLanes * sizeof(double))));
   struct LaneVec {
     Lanes row[3];
     [[nodiscard]] Lanes& operator[](std::size_t i) { return row[i]; }

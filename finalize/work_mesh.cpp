@@ -76,6 +76,7 @@ void link_neighbours(WorkMesh& work, MetFaces& faces) {
     for (int f = 0; f < 4; ++f) {
       const Triple key = name_of(work, t, f).key;
       if (const MetFaces::Side* met = faces.find(key)) {
+        OCTET_CHECK(!work.neighbours[met->tet][met->face].valid());  // no face has three tetrahedra
         work.neighbours[t][f] = met->tet;
         work.neighbours[met->tet][met->face] = t;
       } else {

@@ -38,7 +38,9 @@ class FacetBvh {
   struct FloatBox {
     std::array<float, 3> lo, hi;
     [[nodiscard]] double squared_distance(const Vec3& p) const;
-    [[nodiscard]] bool apart(const Box3& box) const {
+    /// From a FloatBox or a Box3.
+    template <class Box>
+    [[nodiscard]] bool apart(const Box& box) const {
       bool apart = false;
       for (int k = 0; k < 3; ++k) apart |= lo[k] > box.hi[k] || hi[k] < box.lo[k];
       return apart;
@@ -48,11 +50,7 @@ class FacetBvh {
   struct Probe {
     Probe(const Vec3& from, const Vec3& to);
     /// Whether it meets the box, as far as their extents along the axes tell.
-    [[nodiscard]] bool beside(const FloatBox& b) const {
-      bool apart = false;
-      for (int k = 0; k < 3; ++k) apart |= b.lo[k] > box.hi[k] || b.hi[k] < box.lo[k];
-      return !apart;
-    }
+    [[nodiscard]] bool beside(const FloatBox& b) const { return !b.apart(box); }
     [[nodiscard]] bool meets(const FloatBox& b) const { return beside(b) && (straight || crosses(b)); }
     [[nodiscard]] bool crosses(const FloatBox& b) const;
     Vec3 p, q;

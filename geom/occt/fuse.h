@@ -33,9 +33,5 @@ struct DoneFuse {
 /// solids to blame, which are appended to `apart`. A group that is among `done` is not fused again; what is
 /// fused is added.
 void fuse_touching(SolidSet& set, std::vector<KeptApart>& apart, std::vector<DoneFuse>& done);
-inline void fuse_touching(SolidSet& set, std::vector<KeptApart>& apart) {
-  std::vector<DoneFuse> none;
-  fuse_touching(set, apart, none);
-}
 
 }  // namespace octet

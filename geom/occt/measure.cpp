@@ -51,11 +51,7 @@ double diagonal_of(const ModelParts& parts) {
   for (std::size_t v = 1; v < parts.vertices.size(); ++v)
     add(parts.vertices[v].point, model_vertex(static_cast<int>(v)), "Vertex");
   for (std::size_t e = 1; e < parts.edges.size(); ++e)
-    if (parts.curves[e])
-      for (int i = 1; i < 8; ++i) {
-        const double t = parts.edges[e].t0 + i / 8.0 * (parts.edges[e].t1 - parts.edges[e].t0);
-        add(parts.curves[e]->point(t), model_edge(static_cast<int>(e)), "Edge");
-      }
+    for (const Vec3& point : edge_samples(parts, e)) add(point, model_edge(static_cast<int>(e)), "Edge");
   return box.diagonal();
 }
 
@@ -188,6 +184,14 @@ void measure_gaps(const Numbering& numbering, ModelParts& parts) {
   measure_edges(numbering, floor, parts);
   for (int tag = 1; tag <= numbering.count(1); ++tag) refuse_misplaced(numbering, tag, diagonal, parts);
   measure_vertices(floor, diagonal, parts);
+}
+
+std::vector<Vec3> edge_samples(const ModelParts& parts, std::size_t edge) {
+  std::vector<Vec3> samples;
+  if (!parts.curves[edge]) return samples;
+  const ModelEdge& e = parts.edges[edge];
+  for (int i = 1; i < 8; ++i) samples.push_back(parts.curves[edge]->point(e.t0 + i / 8.0 * (e.t1 - e.t0)));
+  return samples;
 }
 
 void measure_volumes(const Numbering& numbering, ModelParts& parts) { integrate(numbering, parts); }

@@ -13,11 +13,6 @@
 #include "base/wide_clones.h"
 #include "geom/occt/bernstein.h"
 
-// Vectors are handed over within this file alone, so that no caller need know how.
-#pragma GCC diagnostic ignored "-Wpsabi"
-// What is inlined becomes part of the versions for wider registers.
-#define OCTET_LANEWISE [[gnu::always_inline]] inline
-
 namespace octet {
 namespace {
 
@@ -56,10 +51,7 @@ void append_powers(const Geom_BezierSurface& patch, const Vec3& middle, const Be
     }
 }
 
-/// A homogeneous point; a type of the compiler's, for which it makes code for several machines.
-typedef double Lanes __attribute__((vector_size(4 * sizeof(double)), aligned(alignof(Eigen::Vector4d))));
-
-/// HornerRow, with as many derivatives as are asked for.
+/// HornerRow of homogeneous points, with as many derivatives as are asked for.
 template <int kDerivatives>
 struct LaneRow {
   Lanes value{}, first{}, second{};

@@ -19,14 +19,15 @@
 #include "base/error.h"
 #include "geom/occt/canonical.h"
 #include "geom/occt/deviation.h"
+#include "geom/occt/measure.h"
 #include "geom/occt/triangulate_boundary.h"
 
 namespace octet {
 namespace {
 
-constexpr double kDeflectionShare = 1.0 / 2000.0;    // of the diagonal
+constexpr double kDeflectionShare = 1.0 / 2000.0;   // of the diagonal
 constexpr double kOwnDeflectionShare = 1.0 / 50.0;  // of the diagonal of the solids at the face
-constexpr double kAngle = 0.3;                       // radians between neighbouring facets
+constexpr double kAngle = 0.3;                      // radians between neighbouring facets
 constexpr auto kNone = static_cast<std::uint32_t>(-1);
 
 /// One face's OCCT triangulation, and its nodes' numbers in the welded set.
@@ -198,8 +199,7 @@ void weld(const Numbering& numbering, ModelParts& parts) {
 void add_edge(const ModelParts& parts, std::size_t edge, Box3& box) {
   const ModelEdge& e = parts.edges[edge];
   for (const int v : e.vertex) box.add(parts.vertices[v].point);
-  if (!parts.curves[edge]) return;
-  for (int i = 1; i < 8; ++i) box.add(parts.curves[edge]->point(e.t0 + i / 8.0 * (e.t1 - e.t0)));
+  for (const Vec3& point : edge_samples(parts, edge)) box.add(point);
 }
 
 /// By face tag. What suits an assembly may be larger than a screw in it, whose holes would vanish.

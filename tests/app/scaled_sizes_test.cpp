@@ -53,15 +53,18 @@ TEST(ScaledSizes, PartsOfManySmallFeaturesGetFewEnoughElements) {
   EXPECT_GT(elements, 200'000.0);
 }
 
-TEST(ScaledSizes, SmallRegionsHaveASizeOfTheirOwnUnlessOneIsAskedFor) {
-  const TopoDS_Shape box = BRepPrimAPI_MakeBox(40.0, 30.0, 20.0).Shape();
-  const TopoDS_Shape ball = BRepPrimAPI_MakeSphere(gp_Pnt(50.0, 0.0, 0.0), 1.0).Shape();
+/// Region 1 is a box of 4, 3 and 2 times `scale`, region 2 a ball of radius 1 beside it.
+Model box_and_unit_ball(double scale) {
   const BRep_Builder builder;
   TopoDS_Compound both;
   builder.MakeCompound(both);
-  builder.Add(both, box);
-  builder.Add(both, ball);
-  const Model model = model_from_shape(both);
+  builder.Add(both, BRepPrimAPI_MakeBox(4.0 * scale, 3.0 * scale, 2.0 * scale).Shape());
+  builder.Add(both, BRepPrimAPI_MakeSphere(gp_Pnt(5.0 * scale, 0.0, 0.0), 1.0).Shape());
+  return model_from_shape(both);
+}
+
+TEST(ScaledSizes, SmallRegionsHaveASizeOfTheirOwnUnlessOneIsAskedFor) {
+  const Model model = box_and_unit_ball(10.0);
   const MeshOptions unasked = with_default_size(model, {});
   const SizePlan plan = plan_sizes(model, unasked);
   EXPECT_EQ(plan.region_size[1], kNoSize);
@@ -74,14 +77,7 @@ TEST(ScaledSizes, SmallRegionsHaveASizeOfTheirOwnUnlessOneIsAskedFor) {
 }
 
 TEST(ScaledSizes, ARegionAThousandTimesSmallerThanThePartHasASizeOfItsOwn) {
-  const TopoDS_Shape box = BRepPrimAPI_MakeBox(4000.0, 3000.0, 2000.0).Shape();
-  const TopoDS_Shape ball = BRepPrimAPI_MakeSphere(gp_Pnt(5000.0, 0.0, 0.0), 1.0).Shape();
-  const BRep_Builder builder;
-  TopoDS_Compound both;
-  builder.MakeCompound(both);
-  builder.Add(both, box);
-  builder.Add(both, ball);
-  const Model model = model_from_shape(both);
+  const Model model = box_and_unit_ball(1000.0);
   const MeshOptions unasked = with_default_size(model, {});
   const SizePlan plan = plan_sizes(model, unasked);
   EXPECT_NEAR(plan.region_size[2], unasked.region_scale * std::sqrt(12.0) / 12.0, 0.02);

@@ -53,6 +53,11 @@ bool has_note(const Model& model, const std::string& words) {
   return false;
 }
 
+void fuse(SolidSet& set, std::vector<KeptApart>& apart) {
+  std::vector<DoneFuse> none;
+  fuse_touching(set, apart, none);
+}
+
 SolidSet set_of(const std::vector<TopoDS_Shape>& solids) { return {solids, new BRepTools_History(), {}}; }
 
 int faces_in(const std::vector<TopoDS_Shape>& solids) {
@@ -62,7 +67,7 @@ int faces_in(const std::vector<TopoDS_Shape>& solids) {
 TEST(Fuse, GroupsThatDoNotTouchAreFusedByThemselves) {
   SolidSet set = set_of({box(0, 1), box(5, 6), box(1, 2), box(6, 7)});
   std::vector<KeptApart> apart;
-  fuse_touching(set, apart);
+  fuse(set, apart);
   EXPECT_TRUE(apart.empty());
   EXPECT_EQ(set.solids.size(), 4u);
   EXPECT_EQ(faces_in(set.solids), 22);
@@ -136,7 +141,7 @@ TEST(Fuse, SolidsThatTouchAlongALineShareNoPiecesOfIt) {
     SolidSet set =
         set_of({ring, BRepPrimAPI_MakeSphere(groove.Location().Translated(9.6 * out), 2.0).Shape()});
     std::vector<KeptApart> apart;
-    fuse_touching(set, apart);
+    fuse(set, apart);
     EXPECT_FALSE(has_loose_ends(set.solids)) << i;
     for (const KeptApart& one : apart) kept += one.cause.find("along a line") != std::string::npos ? 1 : 0;
   }
@@ -149,7 +154,7 @@ TEST(Fuse, AClosedEdgeWithAVertexToItselfIsNoPieceOfALine) {
   const TopoDS_Shape block = BRepPrimAPI_MakeBox(gp_Pnt(0.8, -2, -2), gp_Pnt(3, 2, 2)).Shape();
   SolidSet set = set_of({block, BRepPrimAPI_MakeSphere(seam_away, 1.0).Shape()});
   std::vector<KeptApart> apart;
-  fuse_touching(set, apart);
+  fuse(set, apart);
   EXPECT_TRUE(apart.empty());
   EXPECT_EQ(set.solids.size(), 3u);
 }
@@ -157,7 +162,7 @@ TEST(Fuse, AClosedEdgeWithAVertexToItselfIsNoPieceOfALine) {
 TEST(Fuse, ASolidKeptApartSharesNothing) {
   SolidSet set = set_of({box(0, 1), box(1, 2), box(2, 3)});
   std::vector<KeptApart> apart{{2, 2, Vec3::Zero(), "test"}};
-  fuse_touching(set, apart);
+  fuse(set, apart);
   ASSERT_EQ(set.solids.size(), 3u);
   EXPECT_EQ(faces_in({set.solids[0], set.solids[1]}), 11);
   EXPECT_EQ(faces_in(set.solids), 17);
