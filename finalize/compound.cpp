@@ -36,11 +36,11 @@ bool mend(Workshop& shop, double bar, double goal) {
   std::vector<TetId> area;
   for (int step = 0;; ++step) {
     take_in_made(shop, area);
-    if (area.empty()) return false;  // a tetrahedron that hangs on nothing was collapsed away
     const auto worst = std::min_element(area.begin(), area.end(), [&](TetId s, TetId t) {
       return std::tie(quality[s], s) < std::tie(quality[t], t);
     });
-    if (quality[*worst] > bar) {
+    // Nothing is left where a surface swap took the one tetrahedron under it away.
+    if (area.empty() || quality[*worst] > bar) {
       shop.made = area;
       return true;
     }
