@@ -338,7 +338,27 @@ class AttributeLoop {
       if (near_a_point_of(b->on, b->point, std::max(limits_.floor, 0.1 * b->distance), near)) continue;
       inserted = insert(b->point, b->on, near).has_value() || inserted;
     }
-    if (!inserted) ++result_.rejected;
+    if (!inserted && !refine_around(gap)) ++result_.rejected;
+  }
+
+  /// Facets may be too coarse for their face to be told from what they shut off: the face gets a point beside
+  /// a bare one, halfway to another of its points.
+  bool refine_around(const Gap& gap) {
+    triangulation_.star(gap.vertex, cavity_);
+    std::vector<std::pair<double, VertexId>> beside;
+    const Vec3 p = mesh().points[gap.vertex];
+    for (const TetId t : cavity_)
+      for (const VertexId v : mesh().tets[t])
+        if (v != kGhostVertex && v != gap.vertex && on_[v.index()] == gap.entity)
+          beside.emplace_back((mesh().points[v] - p).norm(), v);
+    std::sort(beside.begin(), beside.end());
+    beside.erase(std::unique(beside.begin(), beside.end()), beside.end());
+    return std::any_of(beside.begin(), beside.end(), [&](const auto& one) {
+      const auto [length, v] = one;
+      if (length < 4.0 * limits_.floor) return false;
+      const FaceFoot foot = model_.face_project(gap.entity.tag, 0.5 * (p + mesh().points[v]));
+      return match_on_face(gap.entity, foot.point, length, triangulation_.tet_at(gap.vertex));
+    });
   }
 
   std::optional<VertexId> insert(const Vec3& p, ModelRef on, TetId near) {

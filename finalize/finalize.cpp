@@ -88,7 +88,7 @@ FinalizeReport finalize(Mesh& mesh, const Model& model, const FinalizeOptions& o
       }
       break;
     case FinalizeScope::kFast:
-      raise_mean(shop, polish, kLastSweeps, observer);
+      raise_mean(shop, polish, kSweeps, observer);
       chase(shop, target, polish, observer);
       break;
     case FinalizeScope::kAll:
@@ -96,11 +96,13 @@ FinalizeReport finalize(Mesh& mesh, const Model& model, const FinalizeOptions& o
       collapse_for_mean(shop, polish);
       raise_mean(shop, polish, kSweeps, observer);
       chase(shop, chased, polish, observer);
+      split_long_edges(shop, chased);
       if (options.coarse_size_at) {
         shop.coarsening = true;
         collapse_short_edges(shop);
         raise_mean(shop, polish, kSweeps, observer);
         chase(shop, chased, polish, observer);
+        split_long_edges(shop, chased);
       }
       raise_mean(shop, polish, kLastSweeps, observer);
       break;

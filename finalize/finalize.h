@@ -26,6 +26,8 @@ struct FinalizeOptions {
       0.524;  ///< radians (30 degrees): elements without a boundary vertex are touched only below this
   double short_edge =
       0.35;  ///< edges shorter than this share of the local size are collapsed where the model allows
+  double long_edge =
+      2.0;  ///< edges longer than this share of the local size are split where no shape gets worse by it
   double max_seconds =
       0.0;  ///< 0: the built-in work budget only (deterministic; counts of operations, not time)
   FinalizeScope scope = FinalizeScope::kAll;

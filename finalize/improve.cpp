@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 #include <queue>
 #include <tuple>
 
@@ -154,6 +155,25 @@ bool is_hopeless(const Workshop& shop, TetId t) {
          });
 }
 
+/// Edges of the boundary's neighbourhood for which rank(a, b, length), a < b, has a value; lowest first.
+template <class Rank>
+std::vector<std::tuple<double, VertexId, VertexId>> boundary_edges(const WorkMesh& mesh, const Rank& rank) {
+  std::vector<std::tuple<double, VertexId, VertexId>> edges;
+  for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
+    const TetId t(i);
+    if (!mesh.alive(t) || !touches_boundary(mesh, t)) continue;
+    for (const auto& e : kTetEdge) {
+      const VertexId a = std::min(mesh.tets[t][e[0]], mesh.tets[t][e[1]]);
+      const VertexId b = std::max(mesh.tets[t][e[0]], mesh.tets[t][e[1]]);
+      const std::optional<double> value = rank(a, b, (mesh.points[a] - mesh.points[b]).norm());
+      if (value) edges.emplace_back(*value, a, b);
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
 /// The shape that a collapse of a short edge at `v` must keep: what is there, or what is good enough.
 double collapse_floor(Workshop& shop, VertexId a, std::vector<TetId>& tets) {
   star(shop.mesh, a, tets);
@@ -178,25 +198,30 @@ void collapse_short_edges(Workshop& shop) {
     if (h == 0.0) h = shop.size_at(mesh.points[v]);
     return h;
   };
-  std::vector<std::tuple<double, VertexId, VertexId>> edges;
-  for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
-    const TetId t(i);
-    if (!mesh.alive(t) || !touches_boundary(mesh, t)) continue;
-    for (const auto& e : kTetEdge) {
-      const VertexId a = std::min(mesh.tets[t][e[0]], mesh.tets[t][e[1]]);
-      const VertexId b = std::max(mesh.tets[t][e[0]], mesh.tets[t][e[1]]);
-      const double share = (mesh.points[a] - mesh.points[b]).norm() / std::min(size_of(a), size_of(b));
-      if (share < shop.options.short_edge) edges.emplace_back(share, a, b);
-    }
-  }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  const auto edges = boundary_edges(mesh, [&](VertexId v, VertexId w, double length) {
+    const double share = length / std::min(size_of(v), size_of(w));
+    return share < shop.options.short_edge ? std::optional(share) : std::nullopt;
+  });
   std::vector<TetId> tets;
   for (const auto& [share, a, b] : edges) {
     if (!mesh.alive(a) || !mesh.alive(b)) continue;
     if (mesh.on[a].dim >= mesh.on[b].dim && collapse_edge(shop, a, b, collapse_floor(shop, a, tets)))
       continue;
     if (mesh.on[b].dim >= mesh.on[a].dim) collapse_edge(shop, b, a, collapse_floor(shop, b, tets));
+  }
+}
+
+void split_long_edges(Workshop& shop, double goal) {
+  WorkMesh& mesh = shop.mesh;
+  EdgeRing ring;
+  for (const auto& [share, a, b] : boundary_edges(mesh, [&](VertexId v, VertexId w, double length) {
+         const double share = length / shop.size_at(0.5 * (mesh.points[v] + mesh.points[w]));
+         return share > shop.options.long_edge ? std::optional(-share) : std::nullopt;
+       })) {
+    const TetId t = tet_with_edge(mesh, a, b);
+    if (!t.valid()) continue;
+    edge_ring(mesh, t, a, b, ring);
+    split_edge(shop, t, a, b, std::min(0.999 * worst_quality(mesh, ring.tets), goal), goal);
   }
 }
 

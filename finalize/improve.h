@@ -10,6 +10,9 @@ namespace octet {
 /// Collapses the edges of the boundary's neighbourhood that are shorter than options.short_edge times the
 /// local size: the nicks that points near to each other leave [Handbook 15.6.2].
 void collapse_short_edges(Workshop& shop);
+/// Halves edges longer than `long_edge` times the local size, where no shape falls below `goal` or gets
+/// worse.
+void split_long_edges(Workshop& shop, double goal);
 
 /// Which operators may be used.
 enum class Effort {

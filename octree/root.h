@@ -33,12 +33,12 @@ struct PlacedRoot {
   int level = 0;  ///< of an octant of the size asked for
 };
 
-/// sqrt 10 - 3, sqrt 7 - 2, sqrt 3 - 1: of the small square roots these stay 0.07 octants away from every
+/// sqrt 10 - 3, sqrt 7 - 2, 2 - sqrt 3: of the small square roots these stay 0.07 octants away from every
 /// octant plane for nine levels below the size, so that a plane of the box meets no octant plane there. Of
-/// their six orders the one whose sizes on the faces of a box and whose rates on a cone were nearest to what
-/// is asked.
+/// their orders and reflections the one with which sizes and rates in the tests were nearest to what is
+/// asked.
 inline constexpr std::array<double, 3> kRootShift{0.16227766016837933, 0.6457513110645906,
-                                                  0.7320508075688773};
+                                                  0.2679491924311227};
 
 /// A root around `box` in which `size` is a level, with at least 2.5 sizes of outside on every side, shifted
 /// so that the lower planes of the box lie `shift` sizes above planes of octants of that size; each in [0,

@@ -81,8 +81,7 @@ TEST(Bugs, PartsThatOnceFailedAreComplete) {
       const MeshResult result = mesh_part(model, options);
       EXPECT_EQ(result.report.status, MeshStatus::kComplete) << file.path();
       EXPECT_TRUE(result.report.faults.empty()) << file.path();
-      // Many times as many when they ran away.
-      EXPECT_LT(result.report.attribute_points, 200 + result.report.nodes / 10) << file.path();
+      EXPECT_LT(result.report.attribute_points, 600u) << file.path();  // thousands when they ran away
     }
     ++parts;
   }
