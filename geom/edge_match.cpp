@@ -4,18 +4,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace octet {
 
-EdgeIndex::EdgeIndex(const Model& model, double cell) : model_(&model), cell_(cell) {
+EdgeIndex::EdgeIndex(const Model& model, double cell)
+    : model_(&model), cell_(cell), around_(static_cast<std::size_t>(model.count(1)) + 1) {
   for (int e = 1; e <= model.count(1); ++e) {
     const ModelEdge& edge = model.edge(e);
     if (edge.use != EdgeUse::kReal) continue;
     const int n = std::clamp(static_cast<int>(std::ceil(edge.length / (0.5 * cell))), 2, 100000);
     for (int i = 0; i <= n; ++i) {
       const double t = edge.t0 + (edge.t1 - edge.t0) * i / n;
-      cells_[key(model.edge_point(e, t), 0, 0, 0)].push_back({e, t});
+      const Vec3 p = model.edge_point(e, t);
+      cells_[key(p, 0, 0, 0)].push_back({e, t, p});
+      around_[static_cast<std::size_t>(e)].add(p);
     }
+    // Half a piece is as far as the curve can be from the nearest sample; pieces differ in length.
+    Box3& box = around_[static_cast<std::size_t>(e)];
+    box.lo.array() -= edge.length / n;
+    box.hi.array() += edge.length / n;
   }
 }
 
@@ -52,21 +60,29 @@ bool EdgeIndex::mirror(const Vec3& a, const Vec3& tangent, const Sample& start, 
   return true;
 }
 
-std::map<int, EdgeIndex::Sample> EdgeIndex::nearest_samples(const Vec3& p) const {
-  std::map<int, std::pair<double, Sample>> nearest;  // ordered: the result must not depend on hashing
+std::vector<EdgeIndex::Sample> EdgeIndex::nearest_samples(const Vec3& p, double reach) const {
+  struct Near {
+    const Sample* sample;
+    double distance;
+    bool operator<(const Near& other) const {
+      return std::tie(sample->edge, distance, sample->t) <
+             std::tie(other.sample->edge, other.distance, other.sample->t);
+    }
+  };
+  std::vector<Near> near;
   for (int dx = -1; dx <= 1; ++dx)
     for (int dy = -1; dy <= 1; ++dy)
       for (int dz = -1; dz <= 1; ++dz) {
         const auto cell = cells_.find(key(p, dx, dy, dz));
         if (cell == cells_.end()) continue;
-        for (const Sample& s : cell->second) {
-          const double d = (model_->edge_point(s.edge, s.t) - p).squaredNorm();
-          const auto [it, fresh] = nearest.try_emplace(s.edge, d, s);
-          if (!fresh && d < it->second.first) it->second = {d, s};
-        }
+        for (const Sample& s : cell->second)
+          if (around_[static_cast<std::size_t>(s.edge)].squared_distance(p) <= reach * reach)
+            near.push_back({&s, (s.point - p).squaredNorm()});
       }
-  std::map<int, Sample> result;
-  for (const auto& [tag, found] : nearest) result.emplace(tag, found.second);
+  std::sort(near.begin(), near.end());
+  std::vector<Sample> result;
+  for (const Near& n : near)
+    if (result.empty() || result.back().edge != n.sample->edge) result.push_back(*n.sample);
   return result;
 }
 
@@ -74,19 +90,21 @@ std::vector<EdgePartner> EdgeIndex::partners(int edge, double t, double max_dist
   const Vec3 a = model_->edge_point(edge, t);
   const Vec3 tangent = model_->edge_derivative(edge, t).normalized();
   std::vector<EdgePartner> result;
-  for (const auto& [tag, start] : nearest_samples(a)) {
+  const double reach = std::min(max_distance, cell_);
+  for (const Sample& start : nearest_samples(a, reach)) {
     EdgePartner partner;
-    if (tag == edge || !mirror(a, tangent, start, partner)) continue;
-    if ((partner.point - a).norm() <= std::min(max_distance, cell_)) result.push_back(partner);
+    if (start.edge == edge || !mirror(a, tangent, start, partner)) continue;
+    if ((partner.point - a).norm() <= reach) result.push_back(partner);
   }
   return result;
 }
 
 std::vector<EdgePartner> EdgeIndex::feet(const Vec3& p, double max_distance) const {
   std::vector<EdgePartner> result;
-  for (const auto& [tag, start] : nearest_samples(p)) {
-    const EdgeFoot foot = model_->edge_project(tag, p, start.t);
-    if (foot.distance <= std::min(max_distance, cell_)) result.push_back({tag, foot.t, foot.point});
+  const double reach = std::min(max_distance, cell_);
+  for (const Sample& start : nearest_samples(p, reach)) {
+    const EdgeFoot foot = model_->edge_project(start.edge, p, start.t);
+    if (foot.distance <= reach) result.push_back({start.edge, foot.t, foot.point});
   }
   return result;
 }

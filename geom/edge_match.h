@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <unordered_map>
 #include <vector>
 
@@ -39,13 +38,16 @@ class EdgeIndex {
   struct Sample {
     int edge;
     double t;
+    Vec3 point;
   };
-  [[nodiscard]] std::map<int, Sample> nearest_samples(const Vec3& p) const;
+  /// Of each edge that may come within `reach` of p the sample nearest to p, ascending by edge tag.
+  [[nodiscard]] std::vector<Sample> nearest_samples(const Vec3& p, double reach) const;
   [[nodiscard]] std::uint64_t key(const Vec3& p, int dx, int dy, int dz) const;
   [[nodiscard]] bool mirror(const Vec3& a, const Vec3& tangent, const Sample& start, EdgePartner& out) const;
 
   const Model* model_;
   double cell_;
+  std::vector<Box3> around_;  ///< per edge tag
   std::unordered_map<std::uint64_t, std::vector<Sample>> cells_;
 };
 
