@@ -338,11 +338,17 @@ class AttributeLoop {
       if (near_a_point_of(b->on, b->point, std::max(limits_.floor, 0.1 * b->distance), near)) continue;
       inserted = insert(b->point, b->on, near).has_value() || inserted;
     }
-    if (!inserted && !refine_around(gap)) ++result_.rejected;
+    if (!inserted && !(is_bare(gap.entity) && refine_around(gap))) ++result_.rejected;
   }
 
-  /// Facets may be too coarse for their face to be told from what they shut off: the face gets a point beside
-  /// a bare one, halfway to another of its points.
+  /// Whether no facet at all lies on the face.
+  [[nodiscard]] bool is_bare(ModelRef face) const {
+    return std::any_of(result_.gaps.begin(), result_.gaps.end(),
+                       [&](const Gap& gap) { return gap.kind == GapKind::kBareFace && gap.entity == face; });
+  }
+
+  /// Facets may be too coarse for a closed face to be told from what they shut off: it gets a point beside a
+  /// bare one, halfway to another of its points.
   bool refine_around(const Gap& gap) {
     triangulation_.star(gap.vertex, cavity_);
     std::vector<std::pair<double, VertexId>> beside;

@@ -219,6 +219,24 @@ std::vector<double> default_deflections(const ModelParts& parts) {
   return deflections;
 }
 
+/// No triangles come near a face whose edges lie elsewhere. All that is asked of such facets would be
+/// answered by each of them, and wrongly.
+void refuse_far_facets(const ModelParts& parts, const std::vector<double>& deflections) {
+  constexpr double kFar = 0.05;     // of the part's diagonal
+  constexpr double kBeyond = 20.0;  // times what was asked for
+  Box3 all;
+  for (std::size_t e = 1; e < parts.edges.size(); ++e) add_edge(parts, e, all);
+  for (std::size_t f = 1; f < parts.faces.size(); ++f) {
+    const double deviation = parts.facets.deviation[f];
+    if (deviation <= std::max(kFar * all.diagonal(), kBeyond * deflections[f])) continue;
+    throw ModelError(
+        fmt::format("Face {} lies up to {:.3g} mm off all triangles between its edges: its edges in "
+                    "space and those on it are of different places, or its loops are open",
+                    f, deviation),
+        model_face(static_cast<int>(f)));
+  }
+}
+
 }  // namespace
 
 void tessellate(const Numbering& numbering, double deflection, const StageLog& log, ModelParts& parts) {
@@ -230,6 +248,7 @@ void tessellate(const Numbering& numbering, double deflection, const StageLog& l
     try {
       triangulate();
       weld(numbering, parts);
+      refuse_far_facets(parts, deflections);
       return true;
     } catch (const ModelError& error) {
       if (!first) first = error;

@@ -115,6 +115,19 @@ TEST(ReadPart, ConvertsInchesToMillimetreAndNamesTheUnit) {
   EXPECT_NEAR(model.region(1).volume, 6000.0 * 1e9, 1.0);
 }
 
+TEST(ReadPart, RefusesAFaceThatIsFarFromWhatIsBetweenItsEdges) {
+  // Without its unit of angles the cone's are degrees: the face runs away from its edges.
+  std::string text = content_of(sample_path("cone"));
+  const std::string unit = "#84 = ( NAMED_UNIT(*) PLANE_ANGLE_UNIT() SI_UNIT($,.RADIAN.) );";
+  const std::size_t at = text.find(unit);
+  ASSERT_NE(at, std::string::npos);
+  text.erase(at, unit.size());
+  const TemporaryFile file("cone.step", text);
+  const std::string error = error_of(file.path());
+  EXPECT_NE(error.find("Face 1 lies up to"), std::string::npos) << error;
+  EXPECT_NE(error.find("off all triangles between its edges"), std::string::npos) << error;
+}
+
 TEST(ReadPart, NamesAMissingFile) {
   EXPECT_NE(error_of("/nonexistent/part.step").find("does not exist"), std::string::npos);
 }
