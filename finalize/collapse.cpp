@@ -124,7 +124,7 @@ bool draft_tets(Workshop& shop, VertexId gone, VertexId kept, const std::vector<
       return false;
     draft.tets.push_back(tet);
   }
-  return !draft.tets.empty();  // else a clump that hangs on nothing would vanish
+  return true;
 }
 
 /// The triangles of `gone` on model faces, drawn to `kept`, and whether they keep to the exact faces.

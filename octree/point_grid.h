@@ -91,10 +91,10 @@ class PointGrid {
   [[nodiscard]] Index cell(const Vec3& p, int level) const {
     const double scale = static_cast<double>(1 << level) / unit_;
     const Vec3 x = (p - origin_) * scale;
-    return {whole_part(x.x()), whole_part(x.y()), whole_part(x.z())};
+    return {floor_of(x.x()), floor_of(x.y()), floor_of(x.z())};
   }
   /// As std::floor, which is a call where the processor is not known.
-  [[nodiscard]] static std::int64_t whole_part(double x) {
+  [[nodiscard]] static std::int64_t floor_of(double x) {
     const auto towards_zero = static_cast<std::int64_t>(x);
     return towards_zero - (static_cast<double>(towards_zero) > x ? 1 : 0);
   }

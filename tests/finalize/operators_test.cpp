@@ -144,12 +144,6 @@ TEST(Collapse, RefusesAModelVertexAndADepartureFromAFace) {
   EXPECT_FALSE(collapse_edge(bench.shop, bench.at(0.5, 0, 0), bench.at(0.5, 0.5, 0), -1.0));
 }
 
-TEST(Collapse, TakesNoClumpThatHangsOnNothingAway) {
-  Bench bench(testing::spindle_part(5));
-  EXPECT_FALSE(collapse_edge(bench.shop, VertexId(0), VertexId(1), kNoise));
-  EXPECT_EQ(bench.tets(), 5u);
-}
-
 TEST(Collapse, LeavesThreePiecesOnAClosedEdge) {
   Bench bench(testing::cylinder_part(4), 1.0);
   ASSERT_EQ(bench.faults(), "");
