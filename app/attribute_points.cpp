@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <unordered_map>
 
 #include "base/error.h"
@@ -66,6 +67,9 @@ class AttributeLoop {
     std::sort(fans.begin(), fans.end());
     if (!fans.empty() && band_.repair_beside(mesh(), on_, chains_, fans) > 0)
       result_.gaps = find_gaps(band_, mesh(), on_, chains_);
+    bare_faces_.clear();
+    for (const Gap& gap : result_.gaps)
+      if (gap.kind == GapKind::kBareFace) bare_faces_.insert(gap.entity.tag);
   }
 
   /// Dual crossings are no holes: points may end them, but the mesh is right with them.
@@ -143,7 +147,7 @@ class AttributeLoop {
       close_bare_vertex(gap);
       return;
     }
-    if (gap.kind == GapKind::kBareFace) return;  // smaller octants find it
+    if (gap.kind == GapKind::kBareFace) return;  // its bare vertices get company, or smaller octants find it
     if (changed(gap.tet) || changed(mesh().neighbours[gap.tet][gap.local])) return;
     const auto point = facet_point(model_, mesh(), on_, gap.tet, gap.local, limits_.floor);
     if (!point) {
@@ -338,13 +342,7 @@ class AttributeLoop {
       if (near_a_point_of(b->on, b->point, std::max(limits_.floor, 0.1 * b->distance), near)) continue;
       inserted = insert(b->point, b->on, near).has_value() || inserted;
     }
-    if (!inserted && !(is_bare(gap.entity) && refine_around(gap))) ++result_.rejected;
-  }
-
-  /// Whether no facet at all lies on the face.
-  [[nodiscard]] bool is_bare(ModelRef face) const {
-    return std::any_of(result_.gaps.begin(), result_.gaps.end(),
-                       [&](const Gap& gap) { return gap.kind == GapKind::kBareFace && gap.entity == face; });
+    if (!inserted && !(bare_faces_.count(gap.entity.tag) != 0 && refine_around(gap))) ++result_.rejected;
   }
 
   /// Facets may be too coarse for a closed face to be told from what they shut off: it gets a point beside a
@@ -405,6 +403,7 @@ class AttributeLoop {
   std::size_t looks_ = 0;  ///< rounds in which facets were looked at
   std::size_t first_ = 0, fewest_ = std::numeric_limits<std::size_t>::max();  ///< gaps open in such rounds
   std::unordered_map<std::size_t, std::size_t> spent_;                        ///< points by cell
+  std::set<int> bare_faces_;           ///< without any facet in this round
   std::vector<std::uint8_t> changed_;  ///< per tetrahedron: made in this round
   std::vector<TetId> relabel_, created_, cavity_;
   TetId last_;

@@ -213,11 +213,12 @@ void collapse_short_edges(Workshop& shop) {
 
 void split_long_edges(Workshop& shop, double goal) {
   WorkMesh& mesh = shop.mesh;
+  const auto edges = boundary_edges(mesh, [&](VertexId v, VertexId w, double length) {
+    const double share = length / shop.size_at(0.5 * (mesh.points[v] + mesh.points[w]));
+    return share > shop.options.long_edge ? std::optional(-share) : std::nullopt;
+  });
   EdgeRing ring;
-  for (const auto& [share, a, b] : boundary_edges(mesh, [&](VertexId v, VertexId w, double length) {
-         const double share = length / shop.size_at(0.5 * (mesh.points[v] + mesh.points[w]));
-         return share > shop.options.long_edge ? std::optional(-share) : std::nullopt;
-       })) {
+  for (const auto& [share, a, b] : edges) {
     const TetId t = tet_with_edge(mesh, a, b);
     if (!t.valid()) continue;
     edge_ring(mesh, t, a, b, ring);

@@ -202,11 +202,15 @@ void add_edge(const ModelParts& parts, std::size_t edge, Box3& box) {
   for (const Vec3& point : edge_samples(parts, edge)) box.add(point);
 }
 
-/// By face tag. What suits an assembly may be larger than a screw in it, whose holes would vanish.
-std::vector<double> default_deflections(const ModelParts& parts) {
+double diagonal_of(const ModelParts& parts) {
   Box3 all;
   for (std::size_t e = 1; e < parts.edges.size(); ++e) add_edge(parts, e, all);
-  std::vector<double> deflections(parts.faces.size(), kDeflectionShare * all.diagonal());
+  return all.diagonal();
+}
+
+/// By face tag. What suits an assembly may be larger than a screw in it, whose holes would vanish.
+std::vector<double> default_deflections(const ModelParts& parts) {
+  std::vector<double> deflections(parts.faces.size(), kDeflectionShare * diagonal_of(parts));
   for (const ModelRegion& region : parts.regions) {
     Box3 own;
     for (const int face : region.faces)
@@ -224,11 +228,10 @@ std::vector<double> default_deflections(const ModelParts& parts) {
 void refuse_far_facets(const ModelParts& parts, const std::vector<double>& deflections) {
   constexpr double kFar = 0.05;     // of the part's diagonal
   constexpr double kBeyond = 20.0;  // times what was asked for
-  Box3 all;
-  for (std::size_t e = 1; e < parts.edges.size(); ++e) add_edge(parts, e, all);
+  const double far = kFar * diagonal_of(parts);
   for (std::size_t f = 1; f < parts.faces.size(); ++f) {
     const double deviation = parts.facets.deviation[f];
-    if (deviation <= std::max(kFar * all.diagonal(), kBeyond * deflections[f])) continue;
+    if (deviation <= std::max(far, kBeyond * deflections[f])) continue;
     throw ModelError(
         fmt::format("Face {} lies up to {:.3g} mm off all triangles between its edges: its edges in "
                     "space and those on it are of different places, or its loops are open",
