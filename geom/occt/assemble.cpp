@@ -2,6 +2,8 @@
 // An OCCT document to all that makes a model.
 #include "geom/occt/assemble.h"
 
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -72,6 +74,18 @@ int number_of(const TopoDS_Shape& solid, const ShapeMaps& as_read, const SolidSe
   return 0;
 }
 
+/// Whether no face of a part is in the model. One face alone bounds nothing and was not meant to: it is told
+/// among what is left out, and is no fault.
+bool is_open_part(const TopoDS_Shape& part, const ShapeMaps& as_read, const Provenance& provenance) {
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(part, TopAbs_FACE, faces);
+  for (int i = 1; i <= faces.Extent(); ++i) {
+    const auto number = static_cast<std::size_t>(as_read.of[2].FindIndex(faces(i)));
+    if (!provenance.as_read[2][number].tags.empty()) return false;
+  }
+  return faces.Extent() > 1;
+}
+
 /// Parts of the tree with shells of which nothing is in the model.
 void tell_open_parts(const CadDocument& document, const ShapeMaps& as_read, ModelParts& parts) {
   const std::vector<PartNode>& tree = parts.provenance.tree;
@@ -80,6 +94,7 @@ void tell_open_parts(const CadDocument& document, const ShapeMaps& as_read, Mode
     if (node.parent >= 0) is_leaf[static_cast<std::size_t>(node.parent)] = false;
   for (std::size_t i = 0; i < tree.size(); ++i) {
     if (!is_leaf[i] || !tree[i].solids.empty() || !tree[i].regions.empty()) continue;
+    if (!is_open_part(document.tree[i].shape, as_read, parts.provenance)) continue;
     Fault fault = opening_of(document.tree[i].shape, as_read);
     const std::string name = tree[i].name.empty() ? "a part without a name" : '"' + tree[i].name + '"';
     fault.entity = {};
