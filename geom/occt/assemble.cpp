@@ -2,9 +2,9 @@
 // An OCCT document to all that makes a model.
 #include "geom/occt/assemble.h"
 
+#include <fmt/format.h>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>

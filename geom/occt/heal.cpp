@@ -29,6 +29,7 @@
 #include "geom/occt/edge_uses.h"
 #include "geom/occt/folds.h"
 #include "geom/occt/sew.h"
+#include "geom/occt/short_edges.h"
 #include "geom/occt/strips.h"
 #include "geom/occt/voids.h"
 
@@ -48,6 +49,7 @@ class Healer {
       turn_faces(set_.solids[i]);
       close(set_.solids[i]);
       join_strips(set_.solids[i]);
+      take_short_edges(set_.solids[i]);
       take_folds(set_.solids[i]);
       turn_inside_out(set_.solids[i]);
     }
@@ -167,12 +169,24 @@ class Healer {
     const StripsMerged merged = merge_strips(solid);
     if (merged.faces.empty() || merged.solid.ShapeType() != TopAbs_SOLID) return;
     if (edge_uses(solid).first(&Uses::open) == 0 && edge_uses(merged.solid).first(&Uses::open) != 0) return;
-    set_.notes.push_back(
-        fmt::format("{} face(s) of {} are no wider than the tolerance of their sides and became edges, the "
-                    "first is {}",
-                    merged.faces.size(), name_of(solid), numbered("Face", 2, merged.faces.front())));
+    set_.notes.push_back(fmt::format(
+        "{} face(s) of {} are no wider than the tolerance of their sides, or than rounding leaves, "
+        "and became edges, the first is {}",
+        merged.faces.size(), name_of(solid), numbered("Face", 2, merged.faces.front())));
     set_.history->Merge(merged.history);
     replace(solid, merged.solid);
+    add_curves(solid);
+  }
+
+  void take_short_edges(TopoDS_Shape& solid) {
+    const ShortEdgesDropped dropped = drop_short_edges(solid);
+    if (dropped.edges.empty() || dropped.solid.ShapeType() != TopAbs_SOLID) return;
+    if (edge_uses(solid).first(&Uses::open) == 0 && edge_uses(dropped.solid).first(&Uses::open) != 0) return;
+    set_.notes.push_back(fmt::format(
+        "{} edge(s) of {} are no longer than rounding leaves and became vertices, the first is {}",
+        dropped.edges.size(), name_of(solid), numbered("Edge", 1, dropped.edges.front())));
+    set_.history->Merge(dropped.history);
+    replace(solid, dropped.solid);
     add_curves(solid);
   }
 

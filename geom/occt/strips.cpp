@@ -3,18 +3,22 @@
 #include "geom/occt/strips.h"
 
 #include <BRep_Tool.hxx>
-#include <Precision.hxx>
 #include <ShapeAnalysis_CheckSmallFace.hxx>
 #include <ShapeBuild_ReShape.hxx>
 #include <ShapeFix_FixSmallFace.hxx>
 #include <Standard_Failure.hxx>
+#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <gp_Pnt.hxx>
 
 #include <algorithm>
 #include <array>
+
+#include "geom/occt/shape_box.h"
 
 namespace octet {
 namespace {
@@ -31,16 +35,34 @@ std::array<TopoDS_Edge, 2> sides_within(const TopoDS_Face& face, double width) {
   return side;
 }
 
-/// Twice the tolerance of its vaguer long side where the face is no wider than that, else 0.
-double strip_width(const TopoDS_Face& face) {
-  double width = 0.0;
+/// Whether two edges of the face start and end within `width` of each other, as the sides of a strip do.
+/// Nearly all faces have none.
+bool may_be_strip(const TopoDS_Face& face, double width) {
+  std::vector<std::array<gp_Pnt, 2>> ends;
+  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
+    const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
+    if (BRep_Tool::Degenerated(edge)) continue;
+    ends.push_back({BRep_Tool::Pnt(TopExp::FirstVertex(edge)), BRep_Tool::Pnt(TopExp::LastVertex(edge))});
+  }
+  for (std::size_t i = 0; i < ends.size(); ++i)
+    for (std::size_t j = i + 1; j < ends.size(); ++j)
+      for (const int turned : {0, 1})
+        if (ends[i][0].Distance(ends[j][turned]) <= width &&
+            ends[i][1].Distance(ends[j][1 - turned]) <= width)
+          return true;
+  return false;
+}
+
+/// Twice the tolerance of its vaguer long side, or `least` where that is more, if the face is no wider, else
+/// 0.
+double strip_width(const TopoDS_Face& face, double least) {
+  double width = least;
   for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next())
     width = std::max(width, 2.0 * BRep_Tool::Tolerance(TopoDS::Edge(it.Current())));
-  // Nearly all faces end here.
-  if (width <= 10.0 * Precision::Confusion()) return 0.0;
+  if (!may_be_strip(face, width)) return 0.0;
   const auto [a, b] = sides_within(face, width);
   if (a.IsNull() || b.IsNull()) return 0.0;
-  const double own = 2.0 * std::max(BRep_Tool::Tolerance(a), BRep_Tool::Tolerance(b));
+  const double own = std::max(least, 2.0 * std::max(BRep_Tool::Tolerance(a), BRep_Tool::Tolerance(b)));
   return own == width || !sides_within(face, own)[0].IsNull() ? own : 0.0;
 }
 
@@ -48,11 +70,12 @@ double strip_width(const TopoDS_Face& face) {
 
 StripsMerged merge_strips(const TopoDS_Shape& solid) {
   StripsMerged result{solid, new BRepTools_History, {}};
+  const double least = kVanishingShare * diagonal_of(box_of(solid));
   double width = 0.0;
   std::vector<TopoDS_Face> others;
   for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next()) {
     const TopoDS_Face& face = TopoDS::Face(it.Current());
-    if (const double own = strip_width(face); own > 0.0) {
+    if (const double own = strip_width(face, least); own > 0.0) {
       result.faces.push_back(face);
       width = std::max(width, own);
     } else {
