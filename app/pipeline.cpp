@@ -17,7 +17,6 @@
 #include "app/mesh_part.h"
 #include "app/octant_sizes.h"
 #include "app/own_frame.h"
-#include "app/scaled_sizes.h"
 #include "app/stage_clock.h"
 #include "app/target_elements.h"
 #include "classify/extract.h"
@@ -363,7 +362,7 @@ MeshResult mesh_part(const Model& model, const MeshOptions& options, Observer& o
       return apart ? mesh_apart(model, with, observer) : Run(frame, with, observer).run();
     };
     result = options.target_elements > 0.0 ? mesh_to_target(frame.model(), frame.options(), mesh)
-                                           : mesh(with_default_size(frame.model(), frame.options()));
+                                           : mesh_by_default(frame.model(), frame.options(), mesh);
   });
   MeshReport& report = result.report;
   report.faults.insert(report.faults.begin(), model.parts().faults.begin(), model.parts().faults.end());

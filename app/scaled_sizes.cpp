@@ -58,15 +58,18 @@ double log_scale_for(const Model& model, const std::function<SizePlan(double)>& 
   return x;
 }
 
+bool has_free_sizes(const MeshOptions& options) {
+  return options.size == 0.0 && options.attributes.empty() && !options.background &&
+         options.min_size == 0.0 && options.max_size == 0.0;
+}
+
 MeshOptions with_default_size(const Model& model, const MeshOptions& options) {
   if (options.size != 0.0) return options;
   MeshOptions chosen = options;
   chosen.size = global_size(model, options);
   chosen.suit_curvature = true;
   if (options.small_regions) chosen.region_scale = 1.0;
-  const bool free =
-      options.attributes.empty() && !options.background && options.min_size == 0.0 && options.max_size == 0.0;
-  if (!free) return chosen;
+  if (!has_free_sizes(options)) return chosen;
   const auto sizes = [&](double log_scale) {
     MeshOptions scaled = chosen;
     scaled.size = chosen.size * std::exp(log_scale);

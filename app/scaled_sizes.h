@@ -18,6 +18,9 @@ namespace octet {
 [[nodiscard]] double log_scale_for(const Model& model, const std::function<SizePlan(double)>& sizes,
                                    double log_elements, double start);
 
+/// Whether the user asks for no size at all.
+[[nodiscard]] bool has_free_sizes(const MeshOptions& options);
+
 /// Where no size is asked for: the part's default size, with octants that suit its commonest radius. When
 /// nothing else is asked for either, a size that promises fewer than 2 000 or more than 500 000 elements is
 /// scaled to the nearer of them, whatever the radius. Other options are returned as they are.

@@ -18,6 +18,9 @@ namespace {
 constexpr double kCloseEnough = 0.125;
 constexpr double kSameOctants = 0.01;  // logarithms of scales that are nearer are not told apart
 
+/// A mesh that came out larger than a default mesh may be is tried again for so much of that.
+constexpr double kSafeShare = 0.8;
+
 /// The scale where the line between the tries above and below the target that are nearest to one another
 /// meets it; none without both. Counts need not fall with every growth of the size.
 std::optional<double> crossing(const std::vector<std::pair<double, double>>& tried) {
@@ -77,6 +80,21 @@ MeshResult mesh_to_target(const Model& model, const MeshOptions& options,
     if (const auto between = crossing(tried)) x = *between;
   }
   return *std::move(best);
+}
+
+MeshResult mesh_by_default(const Model& model, const MeshOptions& options,
+                           const std::function<MeshResult(const MeshOptions&)>& mesh) {
+  const MeshOptions chosen = with_default_size(model, options);
+  MeshResult result = mesh(chosen);
+  const auto count = static_cast<double>(result.report.tets);
+  if (!has_free_sizes(options) || count <= kMostByDefault) return result;
+  // Counts go with the size to the power -2 at the boundary, of which such parts have much.
+  const double scale = std::sqrt(count / (kSafeShare * kMostByDefault));
+  MeshResult coarser = mesh(scaled_sizes(model, chosen, scale));
+  const auto rank = [](const MeshResult& r) {
+    return std::pair(r.report.status != MeshStatus::kComplete, r.report.tets);
+  };
+  return rank(coarser) < rank(result) ? std::move(coarser) : std::move(result);
 }
 
 }  // namespace octet

@@ -15,4 +15,13 @@ namespace octet {
 [[nodiscard]] MeshResult mesh_to_target(const Model& model, const MeshOptions& options,
                                         const std::function<MeshResult(const MeshOptions&)>& mesh);
 
+/// What a mesh without any size asked for may have, where that does not cost its being complete.
+inline constexpr double kMostByDefault = 500'000.0;
+
+/// Meshes with the default size (with_default_size()), once more with larger ones where more than
+/// kMostByDefault tetrahedra come of it and nothing was asked for: octrees promise too little where a part
+/// has many features far below the size. The larger mesh is returned only where it alone is complete.
+[[nodiscard]] MeshResult mesh_by_default(const Model& model, const MeshOptions& options,
+                                         const std::function<MeshResult(const MeshOptions&)>& mesh);
+
 }  // namespace octet

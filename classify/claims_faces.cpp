@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <span>
 
@@ -23,18 +24,23 @@ struct FaceCount {
   std::size_t vertices = 0, edges = 0, triangles = 0, pieces = 0;
 };
 
-/// Pieces that hang together by sides, per face.
+/// Pieces that hang together by sides or at model vertices, per face: a loop may touch itself at a vertex.
 void count_pieces(const ClaimInput& in, std::vector<FaceCount>& counts) {
   std::vector<std::uint32_t> parent(in.mesh.triangles.size());
   std::iota(parent.begin(), parent.end(), 0u);
+  const auto join = [&](std::uint32_t s, std::uint32_t t) {
+    const auto a = root_of(parent, s), b = root_of(parent, t);
+    parent[std::max(a, b)] = std::min(a, b);
+  };
   for (std::size_t i = 0; i < in.sides.size();) {
     const auto group = side_group(in, i);
     i += group.size();
-    for (const TriangleSide& side : group) {
-      const auto a = root_of(parent, group[0].triangle), b = root_of(parent, side.triangle);
-      parent[std::max(a, b)] = std::min(a, b);
-    }
+    for (const TriangleSide& side : group) join(group[0].triangle, side.triangle);
   }
+  std::map<std::pair<Mesh::Index, std::int32_t>, std::uint32_t> at;
+  for (std::uint32_t t = 0; t < parent.size(); ++t)
+    for (const Mesh::Index v : in.mesh.triangles[t])
+      if (in.mesh.point_on[v].dim == 0) join(at.try_emplace({v, in.mesh.triangle_on[t]}, t).first->second, t);
   for (std::uint32_t t = 0; t < parent.size(); ++t)
     if (parent[t] == t) ++counts[in.mesh.triangle_on[t]].pieces;
 }

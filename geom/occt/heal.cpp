@@ -31,6 +31,7 @@
 #include "geom/occt/sew.h"
 #include "geom/occt/short_edges.h"
 #include "geom/occt/strips.h"
+#include "geom/occt/touched_edges.h"
 #include "geom/occt/voids.h"
 
 namespace octet {
@@ -50,6 +51,7 @@ class Healer {
       close(set_.solids[i]);
       join_strips(set_.solids[i]);
       take_short_edges(set_.solids[i]);
+      split_edges(set_.solids[i]);
       take_folds(set_.solids[i]);
       turn_inside_out(set_.solids[i]);
     }
@@ -188,6 +190,17 @@ class Healer {
     set_.history->Merge(dropped.history);
     replace(solid, dropped.solid);
     add_curves(solid);
+  }
+
+  void split_edges(TopoDS_Shape& solid) {
+    const TouchedEdgesSplit split = split_touched_edges(solid);
+    if (split.edges.empty() || split.solid.ShapeType() != TopAbs_SOLID) return;
+    if (edge_uses(solid).first(&Uses::open) == 0 && edge_uses(split.solid).first(&Uses::open) != 0) return;
+    set_.notes.push_back(fmt::format(
+        "{} edge(s) of {} are touched by a vertex of their face and were split there, the first is {}",
+        split.edges.size(), name_of(solid), numbered("Edge", 1, split.edges.front())));
+    set_.history->Merge(split.history);
+    replace(solid, split.solid);
   }
 
   void take_folds(TopoDS_Shape& solid) {

@@ -12,8 +12,10 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <cmath>
+#include <functional>
 
 #include "app/element_estimate.h"
+#include "app/target_elements.h"
 #include "geom/analytic.h"
 #include "geom/occt/from_shape.h"
 
@@ -114,6 +116,51 @@ TEST(ScaledSizes, OneElementMoreOnACircleIsNoCliff) {
     }
     last = count;
   }
+}
+
+/// A mesher whose counts go with the size as if all of the part were boundary, and who closes no size in a
+/// range.
+class Pretender {
+ public:
+  Pretender(double factor, double open_from, double open_to)
+      : factor_(factor), open_from_(open_from), open_to_(open_to) {}
+  MeshResult operator()(const MeshOptions& options) {
+    sizes.push_back(options.size);
+    MeshResult result;
+    result.report.tets = static_cast<std::size_t>(factor_ / (options.size * options.size));
+    const bool open = options.size > open_from_ && options.size < open_to_;
+    result.report.status = open ? MeshStatus::kIncomplete : MeshStatus::kComplete;
+    return result;
+  }
+  std::vector<double> sizes;
+
+ private:
+  double factor_, open_from_, open_to_;
+};
+
+TEST(ScaledSizes, AMeshThatIsLargerThanPromisedIsMadeAgain) {
+  const Model box = analytic_box(Vec3(1.0, 1.0, 1.0));
+  const double size = with_default_size(box, {}).size;
+  const auto by_default = [&](Pretender& mesher, const MeshOptions& options) {
+    return mesh_by_default(box, options, std::ref(mesher)).report;
+  };
+  const double many = 633'000.0 * size * size;
+  Pretender small(400'000.0 * size * size, 0.0, 0.0);
+  EXPECT_EQ(by_default(small, {}).tets, 400'000u);
+  EXPECT_EQ(small.sizes.size(), 1u);
+  Pretender large(many, 0.0, 0.0);
+  EXPECT_NEAR(static_cast<double>(by_default(large, {}).tets), 400'000.0, 1.0);
+  ASSERT_EQ(large.sizes.size(), 2u);
+  EXPECT_GT(large.sizes[1], large.sizes[0]);
+  Pretender open_at_both(many, 0.0, 10.0);
+  EXPECT_LT(by_default(open_at_both, {}).tets, 500'000u);
+  Pretender open_when_coarse(many, 1.01 * size, 10.0);
+  EXPECT_EQ(by_default(open_when_coarse, {}).status, MeshStatus::kComplete) << "rather too large than open";
+  MeshOptions bounded;
+  bounded.min_size = 0.001;
+  Pretender asked(many, 0.0, 0.0);
+  EXPECT_GT(by_default(asked, bounded).tets, 600'000u) << "the user has asked for something";
+  EXPECT_EQ(asked.sizes.size(), 1u);
 }
 
 TEST(ScaledSizes, CountsFollowTheScale) {

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Boxes first, then the point's foot on the curve.
+#include "geom/occt/touched_edges.h"
+
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepTools_ReShape.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
+#include <Extrema_ExtPC.hxx>
+#include <Standard_Failure.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <TopoDS_Wire.hxx>
+#include <gp_Pnt.hxx>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include "geom/occt/shape_box.h"
+
+namespace octet {
+namespace {
+
+/// A foot nearer to an end of the edge than so many tolerances belongs to the end.
+constexpr double kClearOfEnds = 10.0;
+
+struct Touch {
+  double parameter = 0.0;  ///< on the edge
+  double distance = 0.0;   ///< of the vertex from it
+  TopoDS_Vertex vertex;
+};
+
+TopTools_IndexedMapOfShape parts_of(const TopoDS_Shape& shape, TopAbs_ShapeEnum type) {
+  TopTools_IndexedMapOfShape map;
+  TopExp::MapShapes(shape, type, map);
+  return map;
+}
+
+/// Where the vertex touches the edge between its ends.
+std::optional<Touch> touch_of(const TopoDS_Vertex& vertex, const TopoDS_Edge& edge, double tolerance) {
+  const gp_Pnt point = BRep_Tool::Pnt(vertex);
+  for (const TopoDS_Vertex& end : {TopExp::FirstVertex(edge), TopExp::LastVertex(edge)})
+    if (BRep_Tool::Pnt(end).Distance(point) <= kClearOfEnds * std::max(tolerance, BRep_Tool::Tolerance(end)))
+      return {};
+  std::optional<Touch> nearest;
+  try {
+    const BRepAdaptor_Curve curve(edge);
+    const Extrema_ExtPC feet(point, curve);
+    if (!feet.IsDone()) return {};
+    for (int i = 1; i <= feet.NbExt(); ++i) {
+      const double distance = std::sqrt(feet.SquareDistance(i));
+      if (feet.IsMin(i) && distance <= tolerance && (!nearest || distance < nearest->distance))
+        nearest = Touch{feet.Point(i).Parameter(), distance, vertex};
+    }
+  } catch (const Standard_Failure&) {  // OCCT cannot tell: no touch
+    return {};
+  }
+  return nearest;
+}
+
+/// The edge in pieces, from its first vertex to its last.
+TopoDS_Wire pieces_of(const TopoDS_Edge& edge, const std::vector<Touch>& touches) {
+  const BRep_Builder builder;
+  TopoDS_Wire wire;
+  builder.MakeWire(wire);
+  double from = 0.0, last = 0.0;
+  BRep_Tool::Range(edge, from, last);
+  TopoDS_Vertex start = TopExp::FirstVertex(edge);
+  for (std::size_t i = 0; i <= touches.size(); ++i) {
+    const bool ends = i == touches.size();
+    const double to = ends ? last : touches[i].parameter;
+    const TopoDS_Vertex end = ends ? TopExp::LastVertex(edge) : touches[i].vertex;
+    TopoDS_Edge piece = TopoDS::Edge(edge.EmptyCopied());
+    builder.Add(piece, start.Oriented(TopAbs_FORWARD));
+    builder.Add(piece, end.Oriented(TopAbs_REVERSED));
+    builder.Range(piece, from, to);
+    builder.Add(wire, piece);
+    from = to;
+    start = end;
+  }
+  return wire;
+}
+
+/// The touches of each edge of the solid by the vertices of its faces.
+class Search {
+ public:
+  explicit Search(const TopoDS_Shape& solid) : edges_(parts_of(solid, TopAbs_EDGE)), boxes_(boxes()) {
+    const TopTools_IndexedMapOfShape faces = parts_of(solid, TopAbs_FACE);
+    for (int i = 1; i <= faces.Extent(); ++i) look_at(faces(i));
+  }
+
+  std::map<int, std::vector<Touch>> found;  ///< by index in edges(), ascending along the edge
+  [[nodiscard]] const TopTools_IndexedMapOfShape& edges() const { return edges_; }
+
+ private:
+  [[nodiscard]] std::vector<Bnd_Box> boxes() const {
+    std::vector<Bnd_Box> all(static_cast<std::size_t>(edges_.Extent()) + 1);
+    for (int i = 1; i <= edges_.Extent(); ++i) all[static_cast<std::size_t>(i)] = box_of(edges_(i));
+    return all;
+  }
+
+  void look_at(const TopoDS_Shape& face) {
+    const TopTools_IndexedMapOfShape vertices = parts_of(face, TopAbs_VERTEX);
+    const TopTools_IndexedMapOfShape edges = parts_of(face, TopAbs_EDGE);
+    for (int e = 1; e <= edges.Extent(); ++e) {
+      const TopoDS_Edge edge = TopoDS::Edge(edges(e).Oriented(TopAbs_FORWARD));
+      if (BRep_Tool::Degenerated(edge)) continue;
+      const int index = edges_.FindIndex(edge);
+      for (int v = 1; v <= vertices.Extent(); ++v) {
+        const TopoDS_Vertex& vertex = TopoDS::Vertex(vertices(v));
+        const double tolerance = std::max(BRep_Tool::Tolerance(vertex), BRep_Tool::Tolerance(edge));
+        Bnd_Box ball;
+        ball.Add(BRep_Tool::Pnt(vertex));
+        ball.Enlarge(tolerance);
+        if (ball.IsOut(boxes_[static_cast<std::size_t>(index)])) continue;
+        if (const auto touch = touch_of(vertex, edge, tolerance)) add(index, *touch);
+      }
+    }
+  }
+
+  void add(int index, const Touch& touch) {
+    std::vector<Touch>& touches = found[index];
+    for (const Touch& known : touches)
+      if (known.vertex.IsSame(touch.vertex) || known.parameter == touch.parameter) return;
+    touches.push_back(touch);
+    std::sort(touches.begin(), touches.end(),
+              [](const Touch& a, const Touch& b) { return a.parameter < b.parameter; });
+  }
+
+  TopTools_IndexedMapOfShape edges_;
+  std::vector<Bnd_Box> boxes_;
+};
+
+}  // namespace
+
+TouchedEdgesSplit split_touched_edges(const TopoDS_Shape& solid) {
+  TouchedEdgesSplit result{solid, new BRepTools_History, {}};
+  const Search search(solid);
+  if (search.found.empty()) return result;
+  const BRep_Builder builder;
+  const Handle(BRepTools_ReShape) changes = new BRepTools_ReShape;
+  for (const auto& [index, touches] : search.found) {
+    const TopoDS_Edge edge = TopoDS::Edge(search.edges()(index).Oriented(TopAbs_FORWARD));
+    for (const Touch& touch : touches) builder.UpdateVertex(touch.vertex, touch.distance);
+    changes->Replace(edge, pieces_of(edge, touches));
+    result.edges.push_back(edge);
+  }
+  result.solid = changes->Apply(solid);
+  result.history = changes->History();
+  return result;
+}
+
+}  // namespace octet
