@@ -110,7 +110,7 @@ class AttributeLoop {
         }));
     if (looks_++ == 0) first_ = now;
     fewest_ = std::min(fewest_, now);
-    return (looks_ >= kLooks && now > first_ / 2 + kMany) ||
+    return now > limits_.gaps || (looks_ >= kLooks && now > first_ / 2 + kMany) ||
            (result_.rounds >= kPatience && now > kGrowth * fewest_ + kFew);
   }
 

@@ -17,8 +17,9 @@ namespace octet {
 
 struct AttributeLimits {
   std::size_t rounds = 60;
-  std::size_t points = 0;  ///< at most so many attribute points
-  double floor = 0.0;      ///< no point goes in closer than this to another (model units)
+  std::size_t points = 0;                                      ///< at most so many attribute points
+  std::size_t gaps = std::numeric_limits<std::size_t>::max();  ///< more than so many end it at once
+  double floor = 0.0;  ///< no point goes in closer than this to another (model units)
   /// Number of the cell (an octant) that holds a place, each with at most `per_cell` points for its gaps;
   /// none: one cell.
   std::function<std::size_t(const Vec3&)> cell_at;

@@ -34,6 +34,10 @@ constexpr std::size_t kCheapTree = 20'000;
 /// Gaps of a boundary that crosses itself beyond which smaller octants are not tried: they cure none of its
 /// crossings, and where these leave few gaps the rest may still close.
 constexpr std::size_t kHopelessGaps = 1000;
+/// A mesh with more gaps than points on the boundary is too coarse nearly everywhere, by more than a factor
+/// of two: in a large tree smaller octants at all of them, again and again, take hours and as much memory as
+/// there is (a heat exchanger of 89 tubes, 1.1 m long, whose bores are a fortieth of the size).
+constexpr std::size_t kLargeTree = 50'000;
 /// How often a mesh without gaps that fails a claim is made again with smaller octants at its faults.
 constexpr int kSecondTries = 3;
 /// In attempts after the first octree vertices keep farther off: middle layers of walls, which the nearer
@@ -159,7 +163,8 @@ class Run {
       const bool better = !band_ || openness(next->closed) < openness(band_->closed);
       if (better) best = depth;
       std::optional<Octree> finer;
-      const bool hopeless = !crossings_.empty() && next->closed.gaps.size() > kHopelessGaps;
+      too_coarse_ = next->tree.size() > kLargeTree && next->closed.gaps.size() > next->seeds.surface_points;
+      const bool hopeless = too_coarse_ || (!crossings_.empty() && next->closed.gaps.size() > kHopelessGaps);
       if (!next->closed.gaps.empty() && !hopeless && depth < kSubdivisions)
         finer = subdivide_at_gaps(*next, model_, 0.5 * finest_octant());
       if (finer && depth - best >= kPatience && finer->size() > kCheapTree) finer.reset();
@@ -181,6 +186,22 @@ class Run {
     faults.insert(faults.end(), gaps.begin(), gaps.end());
     for (Fault& fault : faults) fault.place = frame_.to_part(fault.place);
     if (gaps_left_) faults.insert(faults.begin(), crossings_.begin(), crossings_.end());
+    if (gaps_left_ && too_coarse_) faults.insert(faults.begin(), fault_of_coarseness());
+  }
+
+  [[nodiscard]] static std::size_t most_gaps(const Attempt& attempt) {
+    return attempt.tree.size() > kLargeTree ? attempt.seeds.surface_points
+                                            : std::numeric_limits<std::size_t>::max();
+  }
+
+  [[nodiscard]] Fault fault_of_coarseness() const {
+    return {
+        {},
+        frame_.to_part(model_.box().centre()),
+        fmt::format("at a size of {:.6g} mm most of the boundary has no mesh faces: walls, bores or gaps all "
+                    "over the part are many times thinner",
+                    plan_.asked),
+        "ask for a size near their width"};
   }
 
   /// How many holes an attempt left; facets are not looked at while edges lack pieces, so that says the most.
@@ -209,6 +230,7 @@ class Run {
     AttributeLimits limits;
     limits.points = 4 * next->seeds.surface_points + 2000;
     limits.per_cell = kPointsPerOctant;
+    limits.gaps = most_gaps(*next);
     limits.floor = 1e-3 * finest_octant();
     classify(*next, model_, octant_, limits, observer_);
     return next;
@@ -340,6 +362,7 @@ class Run {
   std::vector<int> broken_;  ///< regions left out
   SeedOptions seeds_;
   bool gaps_left_ = false;
+  bool too_coarse_ = false;  ///< nearly everywhere, which smaller octants at gaps do not cure
   std::vector<Fault>
       crossings_;               ///< of faces, too shallow for the size to tell: why gaps are left, if any are
   std::optional<Octree> wish_;  ///< octants of the sizes asked for, where some were subdivided

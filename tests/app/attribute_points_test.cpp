@@ -105,6 +105,20 @@ TEST(AttributePoints, CloseTheHoleWhereABallWasNotSampled) {
   EXPECT_TRUE(bench.gaps().empty());
 }
 
+TEST(AttributePoints, MoreGapsThanAllowedEndTheLoopBeforeAnyPoint) {
+  const Model model = analytic_ball(1.0, {});
+  Bench bench(model, 0.3);
+  bench.triangulate([](const Vec3& p, ModelRef on) { return on.dim == 3 || p.z() < 0.5; });
+  AttributeLimits limits;
+  limits.points = 2000;
+  limits.gaps = bench.gaps().size() - 1;
+  const AttributeResult ended = bench.close(limits);
+  EXPECT_EQ(ended.points, 0u);
+  EXPECT_EQ(ended.gaps.size(), limits.gaps + 1);
+  ++limits.gaps;
+  EXPECT_TRUE(bench.close(limits).gaps.empty());
+}
+
 TEST(AttributePoints, WhatTheLimitLeavesOpenIsReported) {
   const Model model = analytic_ball(1.0, {});
   Bench bench(model, 0.3);
