@@ -3,6 +3,7 @@
 #include "geom/occt/strips.h"
 
 #include <BRep_Tool.hxx>
+#include <Precision.hxx>
 #include <ShapeAnalysis_CheckSmallFace.hxx>
 #include <ShapeBuild_ReShape.hxx>
 #include <ShapeFix_FixSmallFace.hxx>
@@ -53,16 +54,22 @@ bool may_be_strip(const TopoDS_Face& face, double width) {
   return false;
 }
 
+/// Twice the edge's tolerance; nothing where that is what every edge has, which says nothing of it.
+double vagueness(const TopoDS_Edge& edge) {
+  const double width = 2.0 * BRep_Tool::Tolerance(edge);
+  return width > 10.0 * Precision::Confusion() ? width : 0.0;
+}
+
 /// Twice the tolerance of its vaguer long side, or `least` where that is more, if the face is no wider, else
 /// 0.
 double strip_width(const TopoDS_Face& face, double least) {
   double width = least;
   for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next())
-    width = std::max(width, 2.0 * BRep_Tool::Tolerance(TopoDS::Edge(it.Current())));
+    width = std::max(width, vagueness(TopoDS::Edge(it.Current())));
   if (!may_be_strip(face, width)) return 0.0;
   const auto [a, b] = sides_within(face, width);
   if (a.IsNull() || b.IsNull()) return 0.0;
-  const double own = std::max(least, 2.0 * std::max(BRep_Tool::Tolerance(a), BRep_Tool::Tolerance(b)));
+  const double own = std::max({least, vagueness(a), vagueness(b)});
   return own == width || !sides_within(face, own)[0].IsNull() ? own : 0.0;
 }
 
