@@ -22,6 +22,7 @@
 #include "classify/extract.h"
 #include "finalize/finalize.h"
 #include "geom/face_crossings.h"
+#include "geom/face_touches.h"
 #include "geom/wide_gaps.h"
 
 namespace octet {
@@ -38,6 +39,8 @@ constexpr std::size_t kHopelessGaps = 1000;
 /// of two: in a large tree smaller octants at all of them, again and again, take hours and as much memory as
 /// there is (a heat exchanger of 89 tubes, 1.1 m long, whose bores are a fortieth of the size).
 constexpr std::size_t kLargeTree = 50'000;
+/// Faces touch that come as near as this share of the diagonal, within this share of the size of a gap.
+constexpr double kTouchShare = 1e-7, kTouchReach = 0.1;
 /// How often a mesh without gaps that fails a claim is made again with smaller octants at its faults.
 constexpr int kSecondTries = 3;
 /// In attempts after the first octree vertices keep farther off: middle layers of walls, which the nearer
@@ -53,6 +56,15 @@ Fault warning_of(const WideGap& gap) {
       gap.entity, gap.place,
       fmt::format("it {} by up to {:.3g} mm, {:.2g} of the size there", what, gap.gap, gap.gap / gap.local),
       "mend the part there, or ask for a larger size"};
+}
+
+Fault fault_of(const FaceTouch& touch, const Model& model) {
+  return {
+      model_face(touch.face[0]), touch.place,
+      fmt::format("it touches {} here, without an edge or a vertex that the two share: no mesh is on one and "
+                  "not on the other",
+                  model.describe(model_face(touch.face[1]))),
+      "in the CAD system let the two share an edge there, or part them"};
 }
 
 Fault warning_of(const FaceCrossing& crossing, const Model& model) {
@@ -184,9 +196,22 @@ class Run {
     faults = describe_left_out(*band_, model_, broken_);
     const std::vector<Fault> gaps = describe_gaps(model_, band_->closed.gaps);
     faults.insert(faults.end(), gaps.begin(), gaps.end());
+    if (gaps_left_ && !too_coarse_) tell_touches(faults);
     for (Fault& fault : faults) fault.place = frame_.to_part(fault.place);
     if (gaps_left_) faults.insert(faults.begin(), crossings_.begin(), crossings_.end());
     if (gaps_left_ && too_coarse_) faults.insert(faults.begin(), fault_of_coarseness());
+  }
+
+  /// Faces that touch are what most holes are about that no octants close: they are told first.
+  void tell_touches(std::vector<Fault>& faults) const {
+    std::vector<PlaceOnFace> places;
+    for (const Gap& gap : band_->closed.gaps)
+      if (gap.entity.dim == 2) places.push_back({gap.entity.tag, gap.place});
+    std::vector<Fault> touches;
+    for (const FaceTouch& touch :
+         face_touches(model_, places, kTouchReach * plan_.asked, kTouchShare * model_.diagonal()))
+      touches.push_back(fault_of(touch, part_));
+    faults.insert(faults.begin(), touches.begin(), touches.end());
   }
 
   [[nodiscard]] static std::size_t most_gaps(const Attempt& attempt) {
@@ -217,7 +242,7 @@ class Run {
     auto next = std::make_unique<Attempt>(std::move(tree));
     begin("cuts", 0.1);
     cut_tree(*next, model_, options_.cancelled);
-    for (const Fault& fault : next->labels.conflicts) observer_.note("parity: " + fault.cause);
+    tell_conflicts(next->labels.conflicts);
     check_limit(*next);
     begin("points", 0.2);
     place_points(*next, model_, seeds_);
@@ -234,6 +259,14 @@ class Run {
     limits.floor = 1e-3 * finest_octant();
     classify(*next, model_, octant_, limits, observer_);
     return next;
+  }
+
+  void tell_conflicts(const std::vector<Fault>& conflicts) {
+    constexpr std::size_t kTold = 3;
+    for (std::size_t i = 0; i < conflicts.size() && i < kTold; ++i)
+      observer_.note("parity: " + conflicts[i].cause);
+    if (conflicts.size() > kTold)
+      observer_.note(fmt::format("parity: and {} more octant edges", conflicts.size() - kTold));
   }
 
   /// A boundary octant gives about as many tetrahedra as one inside.
