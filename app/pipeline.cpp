@@ -175,7 +175,7 @@ class Run {
       const bool better = !band_ || openness(next->closed) < openness(band_->closed);
       if (better) best = depth;
       std::optional<Octree> finer;
-      too_coarse_ = next->tree.size() > kLargeTree && next->closed.gaps.size() > next->seeds.surface_points;
+      too_coarse_ = next->closed.gaps.size() > most_gaps(*next);
       const bool hopeless = too_coarse_ || (!crossings_.empty() && next->closed.gaps.size() > kHopelessGaps);
       if (!next->closed.gaps.empty() && !hopeless && depth < kSubdivisions)
         finer = subdivide_at_gaps(*next, model_, 0.5 * finest_octant());

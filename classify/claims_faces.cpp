@@ -171,8 +171,11 @@ void check_fans(const ClaimInput& in, ClaimBuilder& claim) {
 /// there.
 int vague_wedges(const Model& model, const ModelFace& face) {
   std::map<int, int> ends;
-  for (const FaceBoundary& b : face.boundary)
+  for (const FaceBoundary& b : face.boundary) {
+    const auto is_same = [&](const FaceBoundary& other) { return other.edge == b.edge; };
+    if (std::count_if(face.boundary.begin(), face.boundary.end(), is_same) > 1) continue;  // a seam
     for (const int v : model.edge(b.edge).vertex) ++ends[v];
+  }
   int wedges = 0;
   for (const auto& [vertex, count] : ends)
     if (count > 2 && model.tolerance_of(model_vertex(vertex)) > kVagueShare * model.diagonal())

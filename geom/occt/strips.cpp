@@ -10,6 +10,7 @@
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
@@ -40,8 +41,10 @@ std::array<TopoDS_Edge, 2> sides_within(const TopoDS_Face& face, double width) {
 /// Nearly all faces have none.
 bool may_be_strip(const TopoDS_Face& face, double width) {
   std::vector<std::array<gp_Pnt, 2>> ends;
-  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
-    const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
+  TopTools_IndexedMapOfShape edges;
+  TopExp::MapShapes(face, TopAbs_EDGE, edges);
+  for (int i = 1; i <= edges.Extent(); ++i) {
+    const TopoDS_Edge& edge = TopoDS::Edge(edges(i));
     if (BRep_Tool::Degenerated(edge)) continue;
     ends.push_back({BRep_Tool::Pnt(TopExp::FirstVertex(edge)), BRep_Tool::Pnt(TopExp::LastVertex(edge))});
   }
