@@ -228,21 +228,24 @@ void split_long_edges(Workshop& shop, double goal) {
 
 void relax_around(Workshop& shop, double goal, double wish) {
   WorkMesh& mesh = shop.mesh;
-  std::vector<VertexId> near;
-  std::vector<TetId> tets;
+  enum : std::uint8_t { kFar, kNear, kCorner };
+  std::vector<std::uint8_t> role(mesh.points.size(), kFar);
   for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
     const TetId t(i);
     if (!mesh.alive(t) || !falls_short(shop, t, goal)) continue;
-    for (const VertexId v : mesh.tets[t]) {
-      star(mesh, v, tets);
-      for (const TetId s : tets) near.insert(near.end(), mesh.tets[s].begin(), mesh.tets[s].end());
-    }
+    for (const VertexId v : mesh.tets[t]) role[v.index()] = kCorner;
   }
-  std::sort(near.begin(), near.end());
-  near.erase(std::unique(near.begin(), near.end()), near.end());
-  for (const VertexId v : near) {
+  std::vector<TetId> tets;
+  for (std::size_t i = 0; i < role.size(); ++i) {
+    if (role[i] != kCorner) continue;
+    star(mesh, VertexId(i), tets);
+    for (const TetId s : tets)
+      for (const VertexId v : mesh.tets[s]) role[v.index()] = std::max<std::uint8_t>(role[v.index()], kNear);
+  }
+  for (std::size_t i = 0; i < role.size(); ++i) {
+    if (role[i] == kFar) continue;
     if (budget_spent(shop)) return;
-    if (smooth_vertex(shop, v, wish)) note_change(shop);
+    if (smooth_vertex(shop, VertexId(i), wish)) note_change(shop);
   }
 }
 
