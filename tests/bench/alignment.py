@@ -33,13 +33,15 @@ def turned(part, work):
 
 
 def meshed(part, size, options, mesh):
+    """Angles by the report: before finalization flat elements may be turned by rounding, which `octet quality` refuses."""
+    report = mesh + ".json"
     run = subprocess.run([OCTET, "mesh", part, "-o", mesh, "--format", "msh22-ascii", "--size", str(size), "--quiet",
-                          *options], capture_output=True, text=True)
+                          "--report", report, *options], capture_output=True, text=True)
     if run.returncode not in (0, 3):
         sys.exit(run.stderr)
-    told = json.loads(subprocess.run([OCTET, "quality", "--json", mesh], capture_output=True, text=True).stdout)
-    angle = {measure["name"]: measure for measure in told["all"]}
-    return angle["smallest dihedral"]["least"], angle["largest dihedral"]["largest"], told["tets"]
+    with open(report) as file:
+        told = json.load(file)
+    return told["quality"]["min_dihedral"], told["quality"]["max_dihedral"], told["tets"]
 
 
 def surface(mesh):
