@@ -3,8 +3,6 @@
 #include "geom/occt/assemble.h"
 
 #include <fmt/format.h>
-#include <TopExp.hxx>
-#include <TopTools_IndexedMapOfShape.hxx>
 
 #include <algorithm>
 #include <array>
@@ -14,6 +12,7 @@
 #include "geom/occt/join_solids.h"
 #include "geom/occt/marks.h"
 #include "geom/occt/shape_box.h"
+#include "geom/occt/sub_shapes.h"
 
 namespace octet {
 namespace {
@@ -77,8 +76,7 @@ int number_of(const TopoDS_Shape& solid, const ShapeMaps& as_read, const SolidSe
 /// Whether no face of a part is in the model. One face alone bounds nothing and was not meant to: it is told
 /// among what is left out, and is no fault.
 bool is_open_part(const TopoDS_Shape& part, const ShapeMaps& as_read, const Provenance& provenance) {
-  TopTools_IndexedMapOfShape faces;
-  TopExp::MapShapes(part, TopAbs_FACE, faces);
+  const TopTools_IndexedMapOfShape faces = sub_shapes(part, TopAbs_FACE);
   for (int i = 1; i <= faces.Extent(); ++i) {
     const auto number = static_cast<std::size_t>(as_read.of[2].FindIndex(faces(i)));
     if (!provenance.as_read[2][number].tags.empty()) return false;

@@ -17,15 +17,10 @@
 
 #include "geom/occt/shape_box.h"
 #include "geom/occt/strips.h"
+#include "geom/occt/sub_shapes.h"
 
 namespace octet {
 namespace {
-
-TopTools_IndexedMapOfShape parts_of(const TopoDS_Shape& shape, TopAbs_ShapeEnum type) {
-  TopTools_IndexedMapOfShape map;
-  TopExp::MapShapes(shape, type, map);
-  return map;
-}
 
 /// The chord first, which nearly all edges fail; a closed edge has none.
 bool is_short(const TopoDS_Edge& edge, double length) {
@@ -47,7 +42,7 @@ bool is_short(const TopoDS_Edge& edge, double length) {
 ShortEdgesDropped drop_short_edges(const TopoDS_Shape& solid) {
   ShortEdgesDropped result{solid, new BRepTools_History, {}};
   const double length = kVanishingShare * diagonal_of(box_of(solid));
-  const TopTools_IndexedMapOfShape edges = parts_of(solid, TopAbs_EDGE);
+  const TopTools_IndexedMapOfShape edges = sub_shapes(solid, TopAbs_EDGE);
   for (int i = 1; i <= edges.Extent(); ++i)
     if (is_short(TopoDS::Edge(edges(i)), length)) result.edges.push_back(edges(i));
   if (result.edges.empty()) return result;
@@ -58,8 +53,8 @@ ShortEdgesDropped drop_short_edges(const TopoDS_Shape& solid) {
   fix.ModeDropSmallEdges() = true;
   fix.FixSmallEdges();
   const TopoDS_Shape made = context->Apply(solid);
-  if (parts_of(made, TopAbs_FACE).Extent() != parts_of(solid, TopAbs_FACE).Extent() ||
-      parts_of(made, TopAbs_EDGE).Extent() >= edges.Extent()) {
+  if (sub_shapes(made, TopAbs_FACE).Extent() != sub_shapes(solid, TopAbs_FACE).Extent() ||
+      sub_shapes(made, TopAbs_EDGE).Extent() >= edges.Extent()) {
     result.edges.clear();
     return result;
   }

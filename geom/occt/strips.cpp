@@ -21,6 +21,7 @@
 #include <array>
 
 #include "geom/occt/shape_box.h"
+#include "geom/occt/sub_shapes.h"
 
 namespace octet {
 namespace {
@@ -41,8 +42,7 @@ std::array<TopoDS_Edge, 2> sides_within(const TopoDS_Face& face, double width) {
 /// Nearly all faces have none.
 bool may_be_strip(const TopoDS_Face& face, double width) {
   std::vector<std::array<gp_Pnt, 2>> ends;
-  TopTools_IndexedMapOfShape edges;
-  TopExp::MapShapes(face, TopAbs_EDGE, edges);
+  const TopTools_IndexedMapOfShape edges = sub_shapes(face, TopAbs_EDGE);
   for (int i = 1; i <= edges.Extent(); ++i) {
     const TopoDS_Edge& edge = TopoDS::Edge(edges(i));
     if (BRep_Tool::Degenerated(edge)) continue;

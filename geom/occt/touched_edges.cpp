@@ -22,6 +22,7 @@
 #include <optional>
 
 #include "geom/occt/shape_box.h"
+#include "geom/occt/sub_shapes.h"
 
 namespace octet {
 namespace {
@@ -34,12 +35,6 @@ struct Touch {
   double distance = 0.0;   ///< of the vertex from it
   TopoDS_Vertex vertex;
 };
-
-TopTools_IndexedMapOfShape parts_of(const TopoDS_Shape& shape, TopAbs_ShapeEnum type) {
-  TopTools_IndexedMapOfShape map;
-  TopExp::MapShapes(shape, type, map);
-  return map;
-}
 
 /// Where the vertex touches the edge between its ends.
 std::optional<Touch> touch_of(const TopoDS_Vertex& vertex, const TopoDS_Edge& edge, double tolerance) {
@@ -89,8 +84,8 @@ TopoDS_Wire pieces_of(const TopoDS_Edge& edge, const std::vector<Touch>& touches
 /// The touches of each edge of the solid by the vertices of its faces.
 class Search {
  public:
-  explicit Search(const TopoDS_Shape& solid) : edges_(parts_of(solid, TopAbs_EDGE)), boxes_(boxes()) {
-    const TopTools_IndexedMapOfShape faces = parts_of(solid, TopAbs_FACE);
+  explicit Search(const TopoDS_Shape& solid) : edges_(sub_shapes(solid, TopAbs_EDGE)), boxes_(boxes()) {
+    const TopTools_IndexedMapOfShape faces = sub_shapes(solid, TopAbs_FACE);
     for (int i = 1; i <= faces.Extent(); ++i) look_at(faces(i));
   }
 
@@ -105,8 +100,8 @@ class Search {
   }
 
   void look_at(const TopoDS_Shape& face) {
-    const TopTools_IndexedMapOfShape vertices = parts_of(face, TopAbs_VERTEX);
-    const TopTools_IndexedMapOfShape edges = parts_of(face, TopAbs_EDGE);
+    const TopTools_IndexedMapOfShape vertices = sub_shapes(face, TopAbs_VERTEX);
+    const TopTools_IndexedMapOfShape edges = sub_shapes(face, TopAbs_EDGE);
     for (int e = 1; e <= edges.Extent(); ++e) {
       const TopoDS_Edge edge = TopoDS::Edge(edges(e).Oriented(TopAbs_FORWARD));
       if (BRep_Tool::Degenerated(edge)) continue;

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Parts of a shape, each once.
+#pragma once
+
+#include <TopAbs_ShapeEnum.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS_Shape.hxx>
+
+namespace octet {
+
+/// The vertices, edges, faces or solids of a shape, in the order of TopExp::MapShapes.
+inline TopTools_IndexedMapOfShape sub_shapes(const TopoDS_Shape& shape, TopAbs_ShapeEnum type) {
+  TopTools_IndexedMapOfShape map;
+  TopExp::MapShapes(shape, type, map);
+  return map;
+}
+
+}  // namespace octet
