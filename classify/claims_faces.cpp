@@ -13,10 +13,6 @@
 namespace octet {
 namespace {
 
-/// Vertices of a larger tolerance, as a share of the diagonal, are where a translator has lost what was
-/// there.
-constexpr double kVagueShare = 1e-7;
-
 /// Sides of one mesh edge that belong to one face.
 std::span<const TriangleSide> side_group(const ClaimInput& in, std::size_t i) {
   std::size_t n = i + 1;
@@ -25,10 +21,12 @@ std::span<const TriangleSide> side_group(const ClaimInput& in, std::size_t i) {
 }
 
 struct FaceCount {
-  std::size_t vertices = 0, edges = 0, triangles = 0, pieces = 0;
+  std::size_t vertices = 0, edges = 0, triangles = 0;
+  std::size_t parts = 0;   ///< that hang together by sides
+  std::size_t pieces = 0;  ///< that hang together by sides or at model vertices
 };
 
-/// Pieces that hang together by sides or at model vertices, per face: a loop may touch itself at a vertex.
+/// Parts and pieces per face: a loop may touch itself at a vertex.
 void count_pieces(const ClaimInput& in, std::vector<FaceCount>& counts) {
   std::vector<std::uint32_t> parent(in.mesh.triangles.size());
   std::iota(parent.begin(), parent.end(), 0u);
@@ -41,6 +39,8 @@ void count_pieces(const ClaimInput& in, std::vector<FaceCount>& counts) {
     i += group.size();
     for (const TriangleSide& side : group) join(group[0].triangle, side.triangle);
   }
+  for (std::uint32_t t = 0; t < parent.size(); ++t)
+    if (parent[t] == t) ++counts[in.mesh.triangle_on[t]].parts;
   std::map<std::pair<Mesh::Index, std::int32_t>, std::uint32_t> at;
   for (std::uint32_t t = 0; t < parent.size(); ++t)
     for (const Mesh::Index v : in.mesh.triangles[t])
@@ -166,21 +166,17 @@ void check_fans(const ClaimInput& in, ClaimBuilder& claim) {
   }
 }
 
-/// Wedges of the face between edges that run together at a vertex where its loops touch, so near that the CAD
-/// does not tell them apart: no triangle need be in such a wedge, and the face is then not closed to a ring
-/// there.
-int vague_wedges(const Model& model, const ModelFace& face) {
-  std::map<int, int> ends;
+/// How often the loops of the face come to one of its vertices again; seams are no loops.
+std::size_t touches_of_loops(const Model& model, const ModelFace& face) {
+  std::map<int, std::size_t> ends;
   for (const FaceBoundary& b : face.boundary) {
     const auto is_same = [&](const FaceBoundary& other) { return other.edge == b.edge; };
-    if (std::count_if(face.boundary.begin(), face.boundary.end(), is_same) > 1) continue;  // a seam
+    if (std::count_if(face.boundary.begin(), face.boundary.end(), is_same) > 1) continue;
     for (const int v : model.edge(b.edge).vertex) ++ends[v];
   }
-  int wedges = 0;
-  for (const auto& [vertex, count] : ends)
-    if (count > 2 && model.tolerance_of(model_vertex(vertex)) > kVagueShare * model.diagonal())
-      wedges += count / 2 - 1;
-  return wedges;
+  std::size_t touches = 0;
+  for (const auto& [vertex, count] : ends) touches += count > 2 ? count / 2 - 1 : 0;
+  return touches;
 }
 
 }  // namespace
@@ -193,13 +189,15 @@ Claim claim_face_euler(const ClaimInput& in) {
     const FaceCount& n = counts[face];
     const long euler =
         static_cast<long>(n.vertices) - static_cast<long>(n.edges) + static_cast<long>(n.triangles);
-    const int asked = in.model.face(face).euler;
+    // The model's is that of a face in one part. Where a loop touches itself across the face it is in more.
+    const std::size_t more = n.parts - std::min<std::size_t>(n.parts, 1);
+    const long asked = in.model.face(face).euler + static_cast<long>(more);
     if (n.triangles == 0) {
       claim.fault(1e9, model_face(face), place_on(in, face), "no triangle lies on the face", kFiner);
-    } else if (n.pieces != 1) {
+    } else if (n.pieces != 1 || (more > 0 && more > touches_of_loops(in.model, in.model.face(face)))) {
       claim.fault(1e6, model_face(face), place_on(in, face),
-                  fmt::format("the triangles on the face are {} pieces", n.pieces), kFiner);
-    } else if (euler < asked || euler > asked + vague_wedges(in.model, in.model.face(face))) {
+                  fmt::format("the triangles on the face are {} pieces", n.parts), kFiner);
+    } else if (euler != asked) {
       claim.fault(std::abs(static_cast<double>(euler - asked)), model_face(face), place_on(in, face),
                   fmt::format("the triangles have the Euler characteristic {}, the face {}", euler, asked),
                   kFiner);
