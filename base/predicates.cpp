@@ -127,9 +127,10 @@ int sign_of(const WideInt<N>& x) {
   return x.sign();
 }
 
-/// The sign that vanishing weights give, the heaviest class first, then the heaviest point.
-template <class T>
-int sign_by_rank(const std::array<T, 5>& coefficient, const std::uint64_t rank[5]) {
+/// The sign that vanishing weights give (see insphere_ranked). `form_sign` is what the form gives.
+template <class T, class FormSign>
+int sign_by_rank(const std::array<T, 5>& coefficient, const std::uint64_t rank[5],
+                 const FormSign& form_sign) {
   std::array<int, 5> order{0, 1, 2, 3, 4};
   for (int i = 1; i < 5; ++i)
     for (int j = i; j > 0 && rank[order[j]] > rank[order[j - 1]]; --j) std::swap(order[j], order[j - 1]);
@@ -140,9 +141,24 @@ int sign_by_rank(const std::array<T, 5>& coefficient, const std::uint64_t rank[5
       sum = sum + coefficient[order[end]];
     if (const int sign = sign_of(sum); sign != 0) return sign;
   }
-  for (const int i : order)
+  bool free_points = false;
+  for (const int i : order) {
+    if (!free_points && !is_octree_vertex_rank(rank[i])) {
+      free_points = true;
+      if (const int sign = form_sign(); sign != 0) return sign;
+    }
     if (const int sign = sign_of(coefficient[i]); sign != 0) return sign;
+  }
   return 0;
+}
+
+/// xy + 2 yz + 3 zx + 2 xx + yy, of which a vanishing multiple is added to the lifts of points that are no
+/// octree vertices: no tie on boxes along the axes, nor on such as stand on an edge. Where it decides, octree
+/// vertices have no part in it (their coefficients are 0), so that it may be taken from any origin.
+template <class T>
+auto tie_form(const Difference<T>& p) {
+  const auto xy = p.x * p.y, yz = p.y * p.z, zx = p.z * p.x, xx = p.x * p.x, yy = p.y * p.y;
+  return ((xy + yz) + (yz + zx)) + ((zx + zx) + (xx + xx)) + yy;
 }
 
 /// Exact; ties broken by rank where there are ranks.
@@ -154,7 +170,11 @@ int insphere_exact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, c
                pc = exact<N>(c, lowest) - origin, pd = exact<N>(d, lowest) - origin;
     const auto m = minors(pa, pb, pc, pd);
     const int sign = insphere_determinant(pa, pb, pc, pd, m).sign();
-    return sign != 0 || rank == nullptr ? sign : sign_by_rank(weight_coefficients(m), rank);
+    if (sign != 0 || rank == nullptr) return sign;
+    return sign_by_rank(weight_coefficients(m), rank, [&] {
+      return ((tie_form(pa) * m.bcd - tie_form(pb) * m.acd) + (tie_form(pc) * m.abd - tie_form(pd) * m.abc))
+          .sign();
+    });
   });
 }
 
@@ -196,7 +216,7 @@ int insphere_ranked(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, 
 
 int insphere_on_lattice(const std::uint64_t rank[5]) {
   constexpr std::int64_t kFarthest = 1 << 11;  // determinants stay below 2^62
-  if ((rank[0] & rank[1] & rank[2] & rank[3] & rank[4]) >> 63 == 0) return 0;
+  if (!is_octree_vertex_rank(rank[0] & rank[1] & rank[2] & rank[3] & rank[4])) return 0;
   std::array<Difference<std::int64_t>, 4> rows;
   const auto e = octree_vertex_lattice(rank[4]);
   std::int64_t any = 0;
@@ -218,7 +238,7 @@ int insphere_on_lattice(const std::uint64_t rank[5]) {
   const auto m = minors(a, b, c, d);
   const std::int64_t sphere = insphere_determinant(a, b, c, d, m);
   if (sphere != 0) return sphere > 0 ? 1 : -1;
-  return sign_by_rank(weight_coefficients(m), rank);
+  return sign_by_rank(weight_coefficients(m), rank, [] { return 0; });
 }
 
 }  // namespace octet

@@ -17,11 +17,13 @@ namespace octet {
 /// For a positive tetrahedron abcd: +1 when e lies strictly inside its circumsphere, 0 on it, -1 outside.
 [[nodiscard]] int insphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e);
 
-/// Like `insphere`, ties broken by vanishing weights that the ranks give (base/vertex_order.h): first a
-/// weight common to all points of a class, a larger class outweighing all smaller ones; where that leaves a
-/// tie, a weight for each point, the largest rank outweighing all others. Never 0 for distinct ranks and
-/// orient3d(a,b,c,d) != 0. The regular triangulation it defines is unique. Laws: the sign changes under an
-/// odd permutation of a,b,c,d; equals insphere() where that is not 0.
+/// Like `insphere`, ties broken by vanishing weights, each of which counts only where those before it leave
+/// a tie: one common to all points of a class, larger classes first (base/vertex_order.h); one for each
+/// octree vertex, larger ranks first; a quadratic form of the place for all other points; one for each of
+/// these, larger ranks first. The form leans the triangulation: of a row of equal boxes of points all are
+/// cut along diagonals of one direction, which finalization makes better shapes of than of alternating ones.
+/// Never 0 for distinct ranks and orient3d(a,b,c,d) != 0. The regular triangulation it defines is unique.
+/// Laws: the sign changes under an odd permutation of a,b,c,d; equals insphere() where that is not 0.
 [[nodiscard]] int insphere_ranked(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e,
                                   const std::uint64_t rank[5]);
 

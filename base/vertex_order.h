@@ -41,6 +41,9 @@ inline constexpr int kRankClassShift = 57;
           static_cast<std::uint32_t>(rank >> kBits & kMask), static_cast<std::uint32_t>(rank & kMask)};
 }
 
+/// Whether this is the rank of an octree vertex.
+[[nodiscard]] constexpr bool is_octree_vertex_rank(std::uint64_t rank) { return rank >> 63 != 0; }
+
 /// Rank of the n-th point that is not an octree vertex.
 [[nodiscard]] constexpr std::uint64_t free_point_rank(std::uint64_t n) { return n; }
 

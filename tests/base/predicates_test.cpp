@@ -292,20 +292,25 @@ int heavier(const Ranks& rank, std::uint64_t than) {
 }
 
 // The sign with real weights instead of vanishing ones: 2^-(20 + 40 n) for a class that n points outweigh,
-// and 2^-(220 + 40 n) for a point that n points outrank. Exact in big integers.
+// 2^-(220 + 40 n) for an octree vertex that n points outrank, the form times 2^-420 for other points, and
+// 2^-(460 + 40 n) for one of these. Exact in big integers.
 int judge_weighted(const Five& p, const Ranks& rank) {
-  const int low = -460;
+  const int low = -700;
   Ranks classes{};
   for (int i = 0; i < 5; ++i) classes[i] = rank[i] >> kRankClassShift;
   const auto integer = [](double v) { return BigInteger::scaled(v, 0); };
   std::vector<std::vector<BigInteger>> m;
   for (int i = 0; i < 5; ++i) {
+    const bool octree = rank[i] >> 63 != 0;
     const double common = std::ldexp(1.0, -20 - 40 * heavier(classes, classes[i]));
-    const double own = std::ldexp(1.0, -220 - 40 * heavier(rank, rank[i]));
+    const double own = std::ldexp(1.0, (octree ? -220 : -460) - 40 * heavier(rank, rank[i]));
     const Vec3& q = p[i];
+    const double form =
+        q.x() * q.y() + 2 * q.y() * q.z() + 3 * q.z() * q.x() + 2 * q.x() * q.x() + q.y() * q.y();
     // In units of 2^low for the lifted column only: a column's factor does not change the sign.
     const BigInteger lift = BigInteger::scaled(q.squaredNorm(), low) + -BigInteger::scaled(common, low) +
-                            -BigInteger::scaled(own, low);
+                            -BigInteger::scaled(own, low) +
+                            BigInteger::scaled(octree ? 0.0 : std::ldexp(form, -420), low);
     m.push_back({integer(q.x()), integer(q.y()), integer(q.z()), lift, integer(1)});
   }
   return -determinant_sign(m);
@@ -321,7 +326,9 @@ TEST(Predicates, RankedIsTheLimitOfVanishingWeights) {
     for (int i = 0; i < 4; ++i) distinct = distinct && p[i] != p[4];
     if (!distinct) continue;
     ++ties;
-    const Ranks rank = random_ranks(random);
+    Ranks rank = random_ranks(random);
+    ASSERT_EQ(ranked(p, rank), judge_weighted(p, rank));
+    for (auto& r : rank) r |= static_cast<std::uint64_t>(random.integer(2)) << 63;  // some octree vertices
     ASSERT_EQ(ranked(p, rank), judge_weighted(p, rank));
   }
   EXPECT_GT(ties, 500);

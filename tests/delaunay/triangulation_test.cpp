@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "base/error.h"
 #include "base/predicates.h"
 #include "tests/delaunay/balanced_octree.h"
@@ -210,13 +212,45 @@ RankedPoints cube(const std::array<std::uint64_t, 8>& ranks) {
 }
 
 TEST(Triangulation, AHeavyCornerOfACubeJoinsToAll) {
-  // The heaviest point is in every conflict: all cells of the cube have it.
+  // The heaviest octree vertex is in every conflict: all cells of the cube have it.
+  constexpr std::uint64_t kOctreeVertex = std::uint64_t{1} << 63;
   for (std::uint64_t h = 0; h < 8; ++h) {
-    const TetSet tets = tet_set(triangulate(cube({h, h ^ 1, h ^ 2, h ^ 3, h ^ 4, h ^ 5, h ^ 6, h ^ 7})));
+    std::array<std::uint64_t, 8> ranks;
+    for (std::uint64_t c = 0; c < 8; ++c) ranks[c] = kOctreeVertex | (h ^ c);
+    const TetSet tets = tet_set(triangulate(cube(ranks)));
     EXPECT_EQ(tets.size(), 6u);
     for (const auto& t : tets) {
       ASSERT_NE(std::find(t.begin(), t.end(), static_cast<std::uint32_t>(h ^ 7)), t.end());
     }
+  }
+}
+
+TEST(Triangulation, ALatticeOfOtherPointsIsCutAlongOneDirection) {
+  // Whatever the ranks are, and if the lattice stands on its corner in the plane as well: every cell is cut
+  // along the same diagonal, and so are the faces of all cells in one plane.
+  for (const bool diamond : {false, true}) {
+    constexpr int kSide = 4;
+    RankedPoints set;
+    for (int i = 0; i < kSide; ++i)
+      for (int j = 0; j < kSide; ++j)
+        for (int k = 0; k < kSide; ++k)
+          set.add(diamond ? Vec3(i + j, i - j, 1.5 * k) : Vec3(2 * i, j, 1.5 * k),
+                  free_point_rank(static_cast<std::uint64_t>(37 * (set.size() + 1)) % 101));
+    std::set<std::array<int, 3>> directions;
+    const TetSet tets = tet_set(triangulate(set));
+    EXPECT_EQ(tets.size(), 6u * (kSide - 1) * (kSide - 1) * (kSide - 1));
+    for (const auto& t : tets) {
+      for (int a = 0; a < 4; ++a) {
+        for (int b = 0; b < 4; ++b) {
+          if (t[a] >= t[b]) continue;
+          const int p = static_cast<int>(t[a]), q = static_cast<int>(t[b]);
+          const std::array<int, 3> step{q / (kSide * kSide) - p / (kSide * kSide),
+                                        q / kSide % kSide - p / kSide % kSide, q % kSide - p % kSide};
+          directions.insert(step);
+        }
+      }
+    }
+    EXPECT_EQ(directions.size(), 7u) << "three along the lattice, three across faces, one across cells";
   }
 }
 
