@@ -3,6 +3,10 @@
 #include "app/attempt.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "base/predicates.h"
+#include "base/vertex_order.h"
 
 namespace octet {
 namespace {
@@ -58,6 +62,15 @@ class Subdivision {
   std::vector<OctantId> octants_;
 };
 
+/// Points are triangulated at places rounded to 2^-40 of the root. Along the axes planes are then exactly
+/// flat and boxes of points exactly boxes, in parts that are turned as well: their axes are only as exact as
+/// doubles are, and where noise decides on diagonals there are flat tetrahedra and shapes are worse.
+constexpr int kPlaceBits = 40;
+
+Vec3 rounded(const Vec3& p, double unit) {
+  return {std::round(p.x() / unit) * unit, std::round(p.y() / unit) * unit, std::round(p.z() / unit) * unit};
+}
+
 }  // namespace
 
 int Attempt::region_of(const Model& model, const Vec3& p) const {
@@ -98,7 +111,12 @@ void place_points(Attempt& attempt, const Model& model, const SeedOptions& optio
 }
 
 void triangulate(Attempt& attempt, const Model& model) {
-  attempt.triangulation.insert_all(attempt.split.band.position, attempt.split.band.order);
+  const SeedPoints& band = attempt.split.band;
+  const double unit = std::exp2(std::ilogb(attempt.tree.root_size()) - kPlaceBits);
+  std::vector<Vec3> places = band.position;
+  for (std::size_t i = 0; i < places.size(); ++i)
+    if (!is_octree_vertex_rank(band.order[i])) places[i] = rounded(places[i], unit);
+  attempt.triangulation.insert_all(places, band.order);
   attempt.on = attempt.split.band.on;
   attempt.chains = std::make_unique<EdgeChains>(attempt.seeds.pieces);
   attempt.band = std::make_unique<Band>(
@@ -120,6 +138,27 @@ void classify(Attempt& attempt, const Model& model, double size, AttributeLimits
 void find_all_gaps(Attempt& attempt) {
   attempt.closed.gaps =
       find_gaps(*attempt.band, attempt.triangulation.mesh(), attempt.on, *attempt.chains, GapScope::kAll);
+}
+
+std::vector<Vec3> points_of(const Attempt& attempt) {
+  const TetMesh& tets = attempt.triangulation.mesh();
+  const std::vector<Vec3>& own = attempt.split.band.position;
+  std::vector<Vec3> points = tets.points.values();
+  std::copy(own.begin(), own.end(), points.begin());
+  const auto positive = [&](const std::array<VertexId, 4>& v) {
+    return orient3d(points[v[0].index()], points[v[1].index()], points[v[2].index()], points[v[3].index()]) >
+           0;
+  };
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (std::size_t i = 0; i < tets.tets.size(); ++i) {
+      const auto& v = tets.tets[TetId(i)];
+      if (!tets.alive(TetId(i)) || tets.ghost(TetId(i)) || positive(v)) continue;
+      for (const VertexId w : v) points[w.index()] = tets.points[w];
+      changed = true;
+    }
+  }
+  return points;
 }
 
 std::optional<Octree> subdivide_at_gaps(const Attempt& attempt, const Model& model, double finest) {

@@ -45,6 +45,10 @@ void place_points(Attempt& attempt, const Model& model, const SeedOptions& optio
 void triangulate(Attempt& attempt, const Model& model);
 void classify(Attempt& attempt, const Model& model, double size, AttributeLimits limits, Observer& observer);
 
+/// The vertices of the triangulation, where they are: it is made of rounded places, and a vertex whose own
+/// place would turn a tetrahedron inside out stays where it was rounded to.
+[[nodiscard]] std::vector<Vec3> points_of(const Attempt& attempt);
+
 /// Looks at facets, too, where edges lack pieces: all gaps, in place of the pieces alone.
 void find_all_gaps(Attempt& attempt);
 

@@ -286,7 +286,7 @@ class Run {
     begin("extraction", 0.6);
     if (!broken_.empty()) leave_out_octants(*band_, broken_);
     const TetMesh& tets = band_->triangulation.mesh();
-    std::vector<Vec3> points = tets.points.values();
+    std::vector<Vec3> points = points_of(*band_);
     std::vector<ModelRef> on = band_->on;
     const ExtraTets near = near_tets(band_->tree, band_->vertices, band_->labels, band_->split, points, on);
     result_.report.template_tets = near.tets.size();

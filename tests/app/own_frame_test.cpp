@@ -42,6 +42,32 @@ TEST(OwnFrame, APartAlongTheCoordinateAxesGetsWhatItGetsTurned) {
   }
 }
 
+TEST(OwnFrame, AThinPlateIsTriangulatedAlikeHoweverItLies) {
+  // Its sheets hold the same points, whose boxes are all ties: noise must not decide on their diagonals.
+  const Vec3 size(20.0, 17.0, 0.9);
+  AnalyticOptions moved;
+  moved.frame.origin = Vec3(0.1, 0.2, 0.3);
+  const Model still = analytic_box(size, moved), turned = analytic_box(size, turned_far());
+  MeshOptions options;
+  options.size = 1.5;
+  options.finalize = false;
+  const MeshResult a = mesh_part(still, options), b = mesh_part(turned, options);
+  EXPECT_EQ(a.report.status, MeshStatus::kComplete);
+  EXPECT_EQ(b.report.status, MeshStatus::kComplete);
+  EXPECT_NEAR(static_cast<double>(a.report.tets), static_cast<double>(b.report.tets),
+              0.002 * static_cast<double>(a.report.tets));
+  options.finalize = true;
+  for (const Model* model : {&still, &turned}) {
+    const MeshResult result = mesh_part(*model, options);
+    EXPECT_EQ(result.report.status, MeshStatus::kComplete);
+    EXPECT_GT(result.report.quality.mean_mean_ratio, 0.8);
+    for (const Vec3& p : result.mesh.points) {
+      if (model == &turned || p.z() > 0.31) continue;
+      EXPECT_NEAR(p.z(), 0.3, 1e-15) << "rounding is for the triangulation alone";
+    }
+  }
+}
+
 TEST(OwnFrame, NothingIsTurnedAlongItsOwnAxesOrWithSizesOverSpace) {
   const Model still = analytic_box(Vec3(1, 2, 3));
   const OwnFrame standing(still, {});
