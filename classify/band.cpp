@@ -119,6 +119,7 @@ void Band::update(const TetMesh& mesh, std::span<const ModelRef> on, std::span<c
   });
   std::vector<TetId> flat;
   for (std::size_t i = 0; i < created.size(); ++i) {
+    if (!voice_.empty()) voice_.erase(created[i].index());
     if (!mesh.alive(created[i])) continue;
     if (is_flat[i]) flat.push_back(created[i]);
     if (!facets_.empty()) forget_facets(mesh, created[i]);  // else none was asked for so far

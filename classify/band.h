@@ -88,6 +88,17 @@ class Band {
   std::size_t repair_in_groups(const TetMesh& mesh, std::span<const ModelRef> on, const EdgeChains& chains);
   std::size_t relabel_group(const TetMesh& mesh, std::span<const ModelRef> on, const EdgeChains& chains,
                             const std::vector<TetId>& group, int first, int second);
+  /// What a tetrahedron of a group says of its region: at its circumcentre (kNowhere where that is not
+  /// reliable), and beside those of its edges that are pieces of model edges (kNowhere beside others).
+  struct Voice {
+    std::int32_t circumcentre;
+    std::array<std::int32_t, 6> beside;
+  };
+  static constexpr std::int32_t kNowhere = -1;
+  [[nodiscard]] Voice voice_of(const TetMesh& mesh, std::span<const ModelRef> on, const EdgeChains& chains,
+                               TetId t) const;
+  void hear(const TetMesh& mesh, std::span<const ModelRef> on, const EdgeChains& chains,
+            const std::vector<TetId>& group);
   [[nodiscard]] int region_beside(const TetMesh& mesh, TetId t, const EdgePiece& piece) const;
   [[nodiscard]] std::vector<TetId> group_around(const TetMesh& mesh, std::span<const ModelRef> on, TetId a,
                                                 TetId b, int first, int second,
@@ -112,6 +123,7 @@ class Band {
   RegionOf region_of_;
   IdVector<TetId, std::int32_t> region_;
   IdVector<TetId, std::array<std::int32_t, 4>> facet_on_;  ///< -1 not yet asked
+  std::unordered_map<std::uint32_t, Voice> voice_;         ///< per tetrahedron of a group, until it is gone
   std::vector<BoundaryFacet> facets_;
   bool facets_are_current_ = false;
   std::vector<std::vector<int>> vertex_faces_;  ///< per model vertex tag: faces whose closure holds it

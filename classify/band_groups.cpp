@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Misfits that no single move cures: the labels of a group of tetrahedra are chosen together.
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <map>
 
@@ -114,6 +117,34 @@ int Band::region_beside(const TetMesh& mesh, TetId t, const EdgePiece& piece) co
   return region_of_(kShare * on_edge + (1.0 - kShare) * across);
 }
 
+Band::Voice Band::voice_of(const TetMesh& mesh, std::span<const ModelRef> on, const EdgeChains& chains,
+                           TetId t) const {
+  const auto& v = mesh.tets[t];
+  const Circumcentre c =
+      circumcentre(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], mesh.points[v[3]]);
+  Voice voice{c.reliable ? region_of_(c.point) : kNowhere, {}};
+  for (std::size_t e = 0; e < voice.beside.size(); ++e) {
+    const std::uint32_t n = piece_of(mesh, on, chains, t, kTetEdge[e]);
+    voice.beside[e] = n == UINT32_MAX ? kNowhere : region_beside(mesh, t, chains[n]);
+  }
+  return voice;
+}
+
+/// Regions of places take most of a repair's time, and most groups are met again in the next round: they are
+/// kept as long as their tetrahedron.
+void Band::hear(const TetMesh& mesh, std::span<const ModelRef> on, const EdgeChains& chains,
+                const std::vector<TetId>& group) {
+  std::vector<TetId> missing;
+  for (const TetId t : group)
+    if (voice_.count(t.index()) == 0) missing.push_back(t);
+  std::vector<Voice> voices(missing.size());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, missing.size(), 16), [&](const auto& range) {
+    for (std::size_t i = range.begin(); i != range.end(); ++i)
+      voices[i] = voice_of(mesh, on, chains, missing[i]);
+  });
+  for (std::size_t i = 0; i < missing.size(); ++i) voice_.emplace(missing[i].index(), voices[i]);
+}
+
 std::size_t Band::relabel_group(const TetMesh& mesh, std::span<const ModelRef> on, const EdgeChains& chains,
                                 const std::vector<TetId>& group, int first, int second) {
   std::map<TetId, std::uint32_t> node;
@@ -121,18 +152,16 @@ std::size_t Band::relabel_group(const TetMesh& mesh, std::span<const ModelRef> o
   const auto cost = [&](TetId t, std::int8_t f, int behind, int front) {
     return misfit(mesh, on, t, f, behind, front) ? kMisfitCost : 0;
   };
+  hear(mesh, on, chains, group);
   TwoLabels labels(group.size());  // 0: first, 1: second
   for (std::uint32_t i = 0; i < group.size(); ++i) {
     const TetId t = group[i];
-    const auto& v = mesh.tets[t];
-    const Circumcentre c =
-        circumcentre(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], mesh.points[v[3]]);
-    const int natural = c.reliable ? region_of_(c.point) : region_[t];
+    const Voice& voice = voice_.at(t.index());
+    const int natural = voice.circumcentre == kNowhere ? region_[t] : voice.circumcentre;
     labels.prefer(i, natural == second, natural == first);
-    for (const auto& e : kTetEdge) {
-      const std::uint32_t n = piece_of(mesh, on, chains, t, e);
-      if (n == UINT32_MAX) continue;
-      const int beside = region_beside(mesh, t, chains[n]);
+    for (std::size_t e = 0; e < voice.beside.size(); ++e) {
+      const int beside = voice.beside[e];
+      if (beside == kNowhere || piece_of(mesh, on, chains, t, kTetEdge[e]) == UINT32_MAX) continue;
       labels.prefer(i, beside == second ? kBesideCost : 0, beside == first ? kBesideCost : 0);
     }
     for (std::int8_t f = 0; f < 4; ++f) {
