@@ -28,6 +28,7 @@
 
 #include "geom/occt/edge_uses.h"
 #include "geom/occt/folds.h"
+#include "geom/occt/misplaced_curves.h"
 #include "geom/occt/sew.h"
 #include "geom/occt/short_edges.h"
 #include "geom/occt/strips.h"
@@ -46,6 +47,7 @@ class Healer {
     for (std::size_t i = 0; i < set_.solids.size(); ++i) {
       log_(fmt::format("checking {}", name_of(set_.solids[i])));
       add_curves(set_.solids[i]);
+      renew_curves(set_.solids[i]);
       add_pole_edges(set_.solids[i]);
       turn_faces(set_.solids[i]);
       close(set_.solids[i]);
@@ -99,6 +101,23 @@ class Healer {
     ShapeFix_Edge fix;
     if (!fix.FixAddPCurve(edge, face, false, Precision::Confusion())) return;
     if (pcurves_++ == 0) first_pcurve_ = numbered("Edge", 1, edge) + " on " + numbered("Face", 2, face);
+  }
+
+  void renew_curves(const TopoDS_Shape& solid) {
+    const CurvesRenewed renewed = renew_misplaced_curves(solid);
+    if (!renewed.curves.empty()) {
+      const CurveRenewed& first = renewed.curves.front();
+      set_.notes.push_back(fmt::format(
+          "{} edge(s) of {} lie on their faces, but their curves there were of another place and were made "
+          "anew, the first is {} on {} ({:.3g} mm)",
+          renewed.curves.size(), name_of(solid), numbered("Edge", 1, first.edge),
+          numbered("Face", 2, first.face), first.gap));
+    }
+    if (!renewed.joined.empty())
+      set_.notes.push_back(
+          fmt::format("{} face(s) of {} had curves of their edges whole turns apart, which were joined, the "
+                      "first is {}",
+                      renewed.joined.size(), name_of(solid), numbered("Face", 2, renewed.joined.front())));
   }
 
   /// Where a loop runs through a pole of its surface without an edge there, its ends are apart in (u,v).
