@@ -53,24 +53,27 @@ class OutputFile {
 template <class Fill>
 void OutputFile::write_blocks(std::size_t n, std::size_t block, const Fill& fill) {
   constexpr std::size_t kInFlight = 16;  // bounds the memory, and is the same for any number of threads
+  // A block's bytes stay here: a pipeline that an exception ends frees no values on their way. Blocks leave
+  // in order, so that the one kInFlight before has left when a block comes in.
+  std::array<std::string, kInFlight> bytes;
   std::size_t next = 0;
-  tbb::parallel_pipeline(
-      kInFlight, tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order,
-                                                     [&](tbb::flow_control& flow) {
-                                                       if (next >= n) flow.stop();
-                                                       const std::size_t first = next;
-                                                       next += block;
-                                                       return first;
-                                                     }) &
-                     tbb::make_filter<std::size_t, std::string>(tbb::filter_mode::parallel,
-                                                                [&](std::size_t first) {
-                                                                  std::string bytes;
-                                                                  fill(first, std::min(n, first + block),
-                                                                       bytes);
-                                                                  return bytes;
-                                                                }) &
-                     tbb::make_filter<std::string, void>(tbb::filter_mode::serial_in_order,
-                                                         [&](const std::string& bytes) { write(bytes); }));
+  const auto take = [&](tbb::flow_control& flow) {
+    if (next >= n) flow.stop();
+    const std::size_t first = next;
+    next += block;
+    return first;
+  };
+  const auto format = [&](std::size_t first) {
+    std::string& here = bytes[first / block % kInFlight];
+    here.clear();
+    fill(first, std::min(n, first + block), here);
+    return first;
+  };
+  const auto put = [&](std::size_t first) { write(bytes[first / block % kInFlight]); };
+  tbb::parallel_pipeline(kInFlight,
+                         tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order, take) &
+                             tbb::make_filter<std::size_t, std::size_t>(tbb::filter_mode::parallel, format) &
+                             tbb::make_filter<std::size_t, void>(tbb::filter_mode::serial_in_order, put));
 }
 
 }  // namespace octet
