@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "base/predicates.h"
 #include "base/vertex_order.h"
@@ -20,6 +21,35 @@ double least_extent(const Model& model, int face) {
     for (const Vec3& corner : facet_corners(facets, n)) box.add(corner);
   }
   return box.size().minCoeff();
+}
+
+/// A face whose radius of curvature at a point is less than this share of the octants there is a bore or a
+/// pin narrower than they: its points see one another across it, and no triangle of theirs lies on it.
+constexpr double kNarrowShare = 0.25;
+/// Places along narrow faces at which octants are refined at once; longer ones wait for further attempts.
+constexpr std::size_t kMostNarrowPlaces = 50'000;
+
+double radius_at(const Model& model, int face, const Vec3& place) {
+  const FaceFoot foot = model.face_project(face, place);
+  const double curvature = foot.converged ? model.face_curvature(face, foot.uv) : 0.0;
+  return curvature > 0.0 ? 1.0 / curvature : model.diagonal();
+}
+
+/// Places on the sides of a face's facets, no farther from each other along them than `spacing`.
+std::vector<Vec3> places_along(const Model& model, int face, double spacing) {
+  const Facets& facets = model.facets();
+  std::vector<Vec3> places;
+  for (std::size_t n = 0; n < facets.triangles.size(); ++n) {
+    if (facets.face[n] != face) continue;
+    const std::array<Vec3, 3> corner = facet_corners(facets, n);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3 way = corner[(k + 1) % 3] - corner[k];
+      const double steps = std::ceil(way.norm() / spacing);
+      for (double i = 0.0; i < steps && places.size() < kMostNarrowPlaces; ++i)
+        places.push_back(corner[k] + (i / steps) * way);
+    }
+  }
+  return places;
 }
 
 /// Octants of a tree that are to be refined; none becomes shorter than half of `finest`.
@@ -166,9 +196,16 @@ std::optional<Octree> subdivide_at_gaps(const Attempt& attempt, const Model& mod
   for (const Gap& gap : attempt.closed.gaps) subdivision.take_around(gap.place);
   for (const std::size_t cell : attempt.closed.crowded) subdivision.take(OctantId(cell), finest);
   if (!subdivision.refine_taken()) return std::nullopt;
+  std::set<int> narrow;
   for (const Gap& gap : attempt.closed.gaps) {
     if (gap.kind == GapKind::kBareFace)
       subdivision.refine_to(gap.place, 0.5 * least_extent(model, gap.entity.tag));
+    if (gap.kind != GapKind::kBareVertex || gap.entity.dim != 2 || narrow.count(gap.entity.tag) > 0) continue;
+    const double radius = radius_at(model, gap.entity.tag, gap.place);
+    if (radius > kNarrowShare * attempt.tree.length_at(gap.place)) continue;
+    narrow.insert(gap.entity.tag);
+    for (const Vec3& place : places_along(model, gap.entity.tag, radius))
+      subdivision.refine_to(place, radius);
   }
   return std::move(subdivision).tree();
 }

@@ -15,6 +15,7 @@
 #include "app/leave_out.h"
 #include "app/measures.h"
 #include "app/mesh_part.h"
+#include "app/narrow_gaps.h"
 #include "app/octant_sizes.h"
 #include "app/own_frame.h"
 #include "app/stage_clock.h"
@@ -39,10 +40,14 @@ constexpr std::size_t kHopelessGaps = 1000;
 /// of two: in a large tree smaller octants at all of them, again and again, take hours and as much memory as
 /// there is (a heat exchanger of 89 tubes, 1.1 m long, whose bores are a fortieth of the size).
 constexpr std::size_t kLargeTree = 50'000;
-/// Faces touch that come as near as this share of the diagonal, within this share of the size of a gap.
-constexpr double kTouchShare = 1e-7, kTouchReach = 0.1;
-/// How often a mesh without gaps that fails a claim is made again with smaller octants at its faults.
-constexpr int kSecondTries = 3;
+/// Faces that touch are looked for within this share of the size of a gap.
+constexpr double kTouchReach = 0.1;
+/// Octants at gaps are subdivided to this share of the finest otherwise where no smallest size was asked for:
+/// a bore of 0.005 mm in a part of 46 mm is closed by octants of its own width.
+constexpr double kFinestAtGaps = 1.0 / 64.0;
+/// How often a mesh without gaps that fails a claim is made again: first with the boundary held in
+/// finalization where it comes near to itself, then with smaller octants at its faults, too.
+constexpr int kSecondTries = 4;
 /// In attempts after the first octree vertices keep farther off: middle layers of walls, which the nearer
 /// ones are for, are worth less than holes that close and claims that hold.
 constexpr double kRoomyClearance = 0.6;
@@ -90,7 +95,7 @@ class Run {
       append_interior();
       accept();
       const bool better = !best || result_.report.faults.size() < best->report.faults.size();
-      if (depth < kSecondTries && (better || tree_->size() <= kCheapTree)) tree = finer_at_faults();
+      if (depth < kSecondTries && (better || tree_->size() <= kCheapTree)) tree = tree_for_faults();
       keep_better(best, better);
     }
     result_ = *std::move(best);
@@ -178,7 +183,7 @@ class Run {
       too_coarse_ = next->closed.gaps.size() > most_gaps(*next);
       const bool hopeless = too_coarse_ || (!crossings_.empty() && next->closed.gaps.size() > kHopelessGaps);
       if (!next->closed.gaps.empty() && !hopeless && depth < kSubdivisions)
-        finer = subdivide_at_gaps(*next, model_, 0.5 * finest_octant());
+        finer = subdivide_at_gaps(*next, model_, finest_at_gaps());
       if (finer && depth - best >= kPatience && finer->size() > kCheapTree) finer.reset();
       if (finer && !wish_) wish_ = next->tree;
       seeds_.octree_clearance = kRoomyClearance;
@@ -237,6 +242,11 @@ class Run {
   }
 
   [[nodiscard]] double finest_octant() const { return plan_.min_size / kEdgePerOctant; }
+
+  /// Without a smallest size asked for, octants at holes in the mesh get as small as it takes.
+  [[nodiscard]] double finest_at_gaps() const {
+    return options_.min_size > 0.0 ? 0.5 * finest_octant() : kFinestAtGaps * finest_octant();
+  }
 
   [[nodiscard]] std::unique_ptr<Attempt> attempt(Octree tree) {
     auto next = std::make_unique<Attempt>(std::move(tree));
@@ -315,6 +325,7 @@ class Run {
     finalize_options.fixed_vertices = fixed_vertices_;
     finalize_options.volume_beyond = deep_volumes(band_->tree, band_->labels, band_->split, model_.count(3));
     finalize_options.size_at = [this](const Vec3& p) { return band_->tree.spacing_at(p); };
+    if (hold_gaps_) finalize_options.held = vertices_at_gaps(result_.mesh, model_, finalize_options.size_at);
     if (wish_) finalize_options.coarse_size_at = [this](const Vec3& p) { return wish_->spacing_at(p); };
     const FinalizeReport report = finalize(result_.mesh, model_, finalize_options, observer_);
     observer_.note(describe(report));
@@ -330,17 +341,25 @@ class Run {
     band_.reset();
   }
 
-  /// What a user would do who is told to ask for a smaller size at a fault: the tree with octants subdivided
-  /// there. None where there is no fault, or where that has been done for gaps already.
-  [[nodiscard]] std::optional<Octree> finer_at_faults() {
-    if (result_.report.faults.empty() || gaps_left_) return std::nullopt;
+  /// The tree for another try; none where there is no fault, or where that has been done for gaps already.
+  [[nodiscard]] std::optional<Octree> tree_for_faults() {
     std::vector<Fault> faults = result_.report.faults;
+    if (faults.empty() || gaps_left_) return std::nullopt;
     for (Fault& fault : faults) fault.place = frame_.to_model(fault.place);
+    if (!options_.finalize || std::exchange(hold_gaps_, true)) return finer_at_faults(faults);
+    observer_.note(
+        fmt::format("{} faults: where the boundary is near to itself it will be held", faults.size()));
+    return tree_;
+  }
+
+  /// What a user would do who is told to ask for a smaller size at a fault: the tree with octants subdivided
+  /// there.
+  [[nodiscard]] std::optional<Octree> finer_at_faults(const std::vector<Fault>& faults) {
     std::optional<Octree> finer = subdivide_at(*tree_, faults, 0.5 * finest_octant());
     if (finer && !wish_) wish_ = tree_;
     if (finer)
-      observer_.note(fmt::format("{} faults: their octants subdivided, {} octants now",
-                                 result_.report.faults.size(), finer->size()));
+      observer_.note(
+          fmt::format("{} faults: their octants subdivided, {} octants now", faults.size(), finer->size()));
     return finer;
   }
 
@@ -399,6 +418,7 @@ class Run {
   std::vector<Fault>
       crossings_;               ///< of faces, too shallow for the size to tell: why gaps are left, if any are
   std::optional<Octree> wish_;  ///< octants of the sizes asked for, where some were subdivided
+  bool hold_gaps_ = false;      ///< in finalization, since an earlier try had faults
   std::optional<Octree> tree_;  ///< that of the mesh, when the band has gone
 };
 

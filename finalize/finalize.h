@@ -34,6 +34,8 @@ struct FinalizeOptions {
   /// The first so many vertices stay where they are and keep their numbers: tetrahedra that are not given
   /// here hold on to them, beyond faces that have one tetrahedron and are no triangles.
   std::size_t fixed_vertices = 0;
+  /// More vertices that stay where they are, and the boundary's triangles between them as well.
+  std::vector<Mesh::Index> held;
   std::vector<double> volume_beyond;  ///< of what is not given, per region tag; empty: nothing
   /// Local mesh size asked for at a place (model units); required.
   std::function<double(const Vec3&)> size_at;

@@ -3,9 +3,15 @@
 #include "geom/face_touches.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <set>
+#include <string_view>
+#include <utility>
+
+#include "geom/facet_bvh.h"
 
 namespace octet {
 namespace {
@@ -19,6 +25,11 @@ bool have_common_vertex(const ModelFace& a, const ModelFace& b) {
 }
 
 std::array<int, 2> pair_of(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
+
+bool have_common_region(const ModelFace& a, const ModelFace& b) {
+  return std::any_of(a.region.begin(), a.region.end(),
+                     [&](int r) { return r != 0 && (r == b.region[0] || r == b.region[1]); });
+}
 
 class Approach {
  public:
@@ -77,6 +88,181 @@ class Approach {
   Foot other_;  ///< of at_ on the second face
 };
 
+/// Facets of so many times the area of their face run to and fro: its loops or its surface are damaged.
+constexpr double kWildFacets = 10.0;
+
+/// For each face those it may touch: of a region that it bounds, where the boxes of their facets, grown by
+/// what these are off, meet.
+class TouchCandidates {
+ public:
+  TouchCandidates(const Model& model, double near)
+      : of_(static_cast<std::size_t>(model.count(2)) + 1), boxes_(of_.size()) {
+    const Facets& facets = model.facets();
+    std::vector<double> area(of_.size(), 0.0);
+    for (std::size_t t = 0; t < facets.triangles.size(); ++t) {
+      const auto [a, b, c] = facet_corners(facets, t);
+      for (const Vec3& corner : {a, b, c}) boxes_[at(facets.face[t])].add(corner);
+      area[at(facets.face[t])] += 0.5 * (b - a).cross(c - a).norm();
+    }
+    std::vector<int> order;
+    for (int f = 1; f <= model.count(2); ++f) {
+      if (boxes_[at(f)].empty() || area[at(f)] > kWildFacets * model.face(f).area) continue;
+      boxes_[at(f)] = boxes_[at(f)].grown(facets.deviation[at(f)] + near);
+      order.push_back(f);
+    }
+    const auto low = [&](int f) { return boxes_[at(f)].lo.x(); };
+    std::sort(order.begin(), order.end(), [&](int f, int g) { return low(f) < low(g); });
+    for (auto i = order.begin(); i != order.end(); ++i)
+      for (auto j = i + 1; j != order.end() && low(*j) <= boxes_[at(*i)].hi.x(); ++j)
+        if (boxes_[at(*i)].overlaps(boxes_[at(*j)]) && have_common_region(model.face(*i), model.face(*j)) &&
+            !have_common_vertex(model.face(*i), model.face(*j))) {
+          of_[at(*i)].push_back(*j);
+          of_[at(*j)].push_back(*i);
+        }
+  }
+
+  [[nodiscard]] const std::vector<int>& of(int face) const { return of_[at(face)]; }
+  /// Of the facets, grown by what they are off.
+  [[nodiscard]] const Box3& box(int face) const { return boxes_[at(face)]; }
+
+ private:
+  static std::size_t at(int face) { return static_cast<std::size_t>(face); }
+
+  std::vector<std::vector<int>> of_;
+  std::vector<Box3> boxes_;
+};
+
+/// The sides of facets at which faces that touch come near to each other: those on model edges, and all of
+/// faces that bend. A plane touches what does not bend up to an edge of either.
+class FacetSides {
+ public:
+  FacetSides(const Model& model, const TouchCandidates& candidates) {
+    const Facets& facets = model.facets();
+    std::vector<Side> all;
+    for (std::size_t t = 0; t < facets.triangles.size(); ++t)
+      for (std::size_t k = 0; k < 3 && !candidates.of(facets.face[t]).empty(); ++k) {
+        const auto ends = std::minmax(facets.triangles[t][k], facets.triangles[t][(k + 1) % 3]);
+        all.push_back({ends.first, ends.second, facets.face[t]});
+      }
+    std::sort(all.begin(), all.end());
+    for (std::size_t i = 0, end = 0; i < all.size(); i = end) {
+      for (end = i; end < all.size() && all[end].a == all[i].a && all[end].b == all[i].b;) ++end;
+      const bool inside = end == i + 2 && all[i].face == all[i + 1].face;
+      if (inside && std::string_view(model.surface(all[i].face).kind()) == "plane") continue;
+      sides_.insert(sides_.end(), all.begin() + static_cast<std::ptrdiff_t>(i),
+                    all.begin() + static_cast<std::ptrdiff_t>(inside ? i + 1 : end));
+    }
+  }
+
+  struct Side {
+    std::uint32_t a, b;
+    std::int32_t face;
+    auto operator<=>(const Side&) const = default;
+  };
+  [[nodiscard]] auto begin() const { return sides_.begin(); }
+  [[nodiscard]] auto end() const { return sides_.end(); }
+
+ private:
+  std::vector<Side> sides_;
+};
+
+/// Places where facets of faces come as near as their deviations allow, the nearest few of each pair.
+class NearPlaces {
+ public:
+  struct Place {
+    double distance = 0.0;
+    Vec3 at = Vec3::Zero();  ///< beside the first of the pair
+    double reach = 0.0;
+    std::array<int, 2> face{};  ///< in the order to be tried
+  };
+
+  NearPlaces(const Model& model, double near) : model_(model), near_(near), candidates_(model, near) {
+    const Facets& facets = model.facets();
+    for (const FacetSides::Side& side : FacetSides(model, candidates_)) {
+      const Vec3 from = facets.nodes[side.a], way = facets.nodes[side.b] - from;
+      const double pieces = std::ceil(way.norm() / (kLongestPiece * model.diagonal()));
+      for (double i = 0.0; i < pieces; ++i)
+        look_along(side.face, from + (i / pieces) * way, from + ((i + 1.0) / pieces) * way);
+    }
+  }
+
+  [[nodiscard]] const std::map<std::array<int, 2>, std::vector<Place>>& pairs() const { return pairs_; }
+
+ private:
+  /// Shares of the diagonal: a piece of a side that is looked along at once, and what facets are off.
+  static constexpr double kLongestPiece = 0.01, kLargestDeviation = 1e-3;
+  static constexpr std::size_t kPlacesPerPair = 3;
+
+  void look_along(int face, const Vec3& from, const Vec3& to) {
+    const double half = 0.5 * (to - from).norm();
+    for (const int other : candidates_.of(face)) {
+      const double limit = deviation_of(face) + deviation_of(other) + near_, reach = half + limit;
+      if (candidates_.box(other).squared_distance(0.5 * (from + to)) > reach * reach) continue;
+      if (const auto found = nearest_of(from, to, other, limit))
+        add({found->first, found->second, 2.0 * half, {face, other}});
+    }
+  }
+
+  /// The distance of a segment from a face's facets, if it is no more than `limit`, and the place: from place
+  /// to facet and back a few times.
+  [[nodiscard]] std::optional<std::pair<double, Vec3>> nearest_of(const Vec3& from, const Vec3& to, int face,
+                                                                  double limit) const {
+    constexpr int kRounds = 3;
+    double reach = 0.5 * (to - from).norm() + limit;
+    std::pair<double, Vec3> best{std::numeric_limits<double>::infinity(), 0.5 * (from + to)};
+    for (int round = 0; round < kRounds; ++round) {
+      const auto foot = model_.bvh().nearest(best.second, reach, face);
+      if (!foot) break;
+      const auto found = nearest_of(from, to, facet_corners(model_.facets(), foot->triangle));
+      if (found.first >= best.first) break;
+      best = found;
+      reach = found.first;
+    }
+    if (best.first > limit) return std::nullopt;
+    return best;
+  }
+
+  [[nodiscard]] double deviation_of(int face) const {
+    return std::min(model_.facets().deviation[face], kLargestDeviation * model_.diagonal());
+  }
+
+  /// The distance of a segment from a triangle, which is convex along it, and the place.
+  static std::pair<double, Vec3> nearest_of(const Vec3& from, const Vec3& to, const std::array<Vec3, 3>& c) {
+    const auto distance = [&](double s) {
+      return closest_on_triangle(from + s * (to - from), c[0], c[1], c[2]).distance;
+    };
+    constexpr double kGolden = std::numbers::phi - 1.0;
+    constexpr int kCuts = 10;  // for a place to begin at
+    double low = 0.0, high = 1.0, a = 1.0 - kGolden, b = kGolden, da = distance(a), db = distance(b);
+    for (int i = 0; i < kCuts; ++i)
+      if (da < db) {
+        high = std::exchange(b, a);
+        db = da;
+        da = distance(a = high - kGolden * (high - low));
+      } else {
+        low = std::exchange(a, b);
+        da = db;
+        db = distance(b = low + kGolden * (high - low));
+      }
+    std::pair<double, Vec3> best{std::numeric_limits<double>::infinity(), from};
+    for (const auto& [s, d] : {std::pair{0.0, distance(0.0)}, {1.0, distance(1.0)}, {a, da}, {b, db}})
+      if (d < best.first) best = {d, from + s * (to - from)};
+    return best;
+  }
+
+  void add(const Place& place) {
+    std::vector<Place>& places = pairs_[pair_of(place.face[0], place.face[1])];
+    const auto nearer = [](const Place& a, const Place& b) { return a.distance < b.distance; };
+    places.insert(std::upper_bound(places.begin(), places.end(), place, nearer), place);
+    if (places.size() > kPlacesPerPair) places.pop_back();
+  }
+
+  const Model& model_;
+  double near_;
+  TouchCandidates candidates_;
+  std::map<std::array<int, 2>, std::vector<Place>> pairs_;
+};
+
 }  // namespace
 
 std::optional<FaceTouch> face_touch(const Model& model, const std::array<int, 2>& face, const Vec3& place,
@@ -84,8 +270,11 @@ std::optional<FaceTouch> face_touch(const Model& model, const std::array<int, 2>
   if (face[0] == face[1] || have_common_vertex(model.face(face[0]), model.face(face[1]))) return std::nullopt;
   constexpr int kSteps = 6;
   Approach approach(model, face, place);
-  for (int i = 0; i < kSteps && approach.distance() > near; ++i)
-    if (!approach.step(reach)) break;
+  constexpr double kProgress = 0.9;  // a step that leaves more of the distance has found its least
+  for (int i = 0; i < kSteps && approach.distance() > near; ++i) {
+    const double before = approach.distance();
+    if (!approach.step(reach) || approach.distance() > kProgress * before) break;
+  }
   if (approach.distance() > near) return std::nullopt;
   return FaceTouch{face, approach.place(), approach.distance()};
 }
@@ -109,6 +298,23 @@ std::vector<FaceTouch> face_touches(const Model& model, const std::vector<PlaceO
       found.push_back(*touch);
     }
   }
+  return found;
+}
+
+std::vector<FaceTouch> touching_faces(const Model& model) {
+  constexpr int kMostTries = 3000;  // each may take milliseconds
+  const double near = kTouchShare * model.diagonal();
+  const NearPlaces places(model, near);
+  std::vector<FaceTouch> found;
+  int tries = 0;
+  for (const auto& [pair, of_pair] : places.pairs())
+    for (const NearPlaces::Place& place : of_pair) {
+      if (++tries > kMostTries) return found;
+      const auto touch = face_touch(model, place.face, place.at, place.reach, near);
+      if (!touch) continue;
+      found.push_back(*touch);
+      break;
+    }
   return found;
 }
 

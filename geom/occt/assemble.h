@@ -2,6 +2,9 @@
 // An OCCT document to all that makes a model.
 #pragma once
 
+#include <array>
+#include <vector>
+
 #include "geom/occt/child_process.h"
 #include "geom/occt/document.h"
 #include "geom/occt/numbering.h"
@@ -24,9 +27,12 @@ struct AssembledPart {
   ModelParts parts;
 };
 
-/// Solids, numbers, topology, measures, facets and marks. Triangulates document.shape in place. Under
-/// OcctLock.
+/// Numbers as read of pairs of faces that touch.
+using FaceNumberPairs = std::vector<std::array<int, 2>>;
+
+/// Solids, numbers, topology, measures, facets and marks; faces that touch are imprinted on each other.
+/// Triangulates document.shape in place. Under OcctLock.
 [[nodiscard]] AssembledPart assemble(const CadDocument& document, const ReadOptions& options,
-                                     const StageLog& log);
+                                     const FaceNumberPairs& touching, const StageLog& log);
 
 }  // namespace octet

@@ -4,6 +4,7 @@
 
 #include <BRepBuilderAPI_Copy.hxx>
 #include <Standard_Failure.hxx>
+#include <utility>
 
 #include "base/error.h"
 #include "geom/occt/reader.h"
@@ -20,7 +21,7 @@ Model model_from_shape(const TopoDS_Shape& shape, const ReadOptions& options) {
   } catch (const Standard_Failure& failure) {
     throw InputError(std::string("the shape cannot be copied: ") + failure.GetMessageString());
   }
-  return Model(read_job(job));
+  return read_model(std::move(job));
 }
 
 }  // namespace octet

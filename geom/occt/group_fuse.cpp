@@ -16,12 +16,14 @@
 #include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <string_view>
 
+#include "geom/occt/contact_circle.h"
 #include "geom/occt/edge_uses.h"
 #include "geom/occt/shape_box.h"
 
@@ -123,11 +125,37 @@ TopTools_IndexedDataMapOfShapeListOfShape edges_of_vertices(const std::vector<To
   return edges;
 }
 
+/// The circles along which faces of different solids touch: the fuse does not find them.
+std::vector<TopoDS_Edge> contacts_of(const std::vector<TopoDS_Shape>& solids, double near) {
+  struct Side {
+    TopoDS_Face face;
+    std::size_t solid;
+    Bnd_Box box;
+  };
+  std::vector<Side> sides;
+  for (std::size_t i = 0; i < solids.size(); ++i)
+    for (TopExp_Explorer it(solids[i], TopAbs_FACE); it.More(); it.Next()) {
+      sides.push_back({TopoDS::Face(it.Current()), i, box_of(it.Current())});
+      sides.back().box.Enlarge(near);
+    }
+  const auto low = [](const Side& side) { return side.box.CornerMin().X(); };
+  std::sort(sides.begin(), sides.end(), [&](const Side& a, const Side& b) { return low(a) < low(b); });
+  std::vector<TopoDS_Edge> circles;
+  for (auto a = sides.begin(); a != sides.end(); ++a)
+    for (auto b = a + 1; b != sides.end() && low(*b) <= a->box.CornerMax().X(); ++b) {
+      if (a->solid == b->solid || a->box.IsOut(b->box)) continue;
+      const std::vector<TopoDS_Edge> found = contact_circles(a->face, b->face, near);
+      circles.insert(circles.end(), found.begin(), found.end());
+    }
+  return circles;
+}
+
 }  // namespace
 
 GroupFuse::GroupFuse(const std::vector<TopoDS_Shape>& solids, double tolerance, double thin)
     : tolerance_(tolerance) {
   for (const TopoDS_Shape& solid : solids) builder_.AddArgument(solid);
+  for (const TopoDS_Edge& circle : contacts_of(solids, thin)) builder_.AddArgument(circle);
   builder_.SetNonDestructive(true);
   builder_.SetRunParallel(false);
   if (tolerance > 0.0) builder_.SetFuzzyValue(tolerance);

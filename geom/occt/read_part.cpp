@@ -2,6 +2,8 @@
 // CAD files to a Model.
 #include "geom/occt/read_part.h"
 
+#include <utility>
+
 #include "geom/occt/reader.h"
 
 namespace octet {
@@ -11,7 +13,7 @@ Model read_part(const std::filesystem::path& path, const ReadOptions& options) {
   job.path = path;
   job.kind = file_kind(path);
   job.options = options;
-  return Model(read_job(job));
+  return read_model(std::move(job));
 }
 
 }  // namespace octet

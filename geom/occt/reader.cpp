@@ -9,8 +9,13 @@
 #include <Standard_Version.hxx>
 #include <array>
 #include <new>
+#include <set>
+#include <utility>
+#include <vector>
 
 #include "base/error.h"
+#include "geom/face_crossings.h"
+#include "geom/face_touches.h"
 #include "geom/occt/assemble.h"
 #include "geom/occt/byte_stream.h"
 #include "geom/occt/part_stream.h"
@@ -31,7 +36,7 @@ std::string do_job(const ReadJob& job, const StageLog& log) {
     } else {
       document.shape = job.shape;
     }
-    const AssembledPart part = assemble(document, job.options, log);
+    const AssembledPart part = assemble(document, job.options, job.touching, log);
     log("handing the part over");
     return encode_part(part.numbering, part.parts);
   } catch (const Standard_OutOfMemory&) {
@@ -44,7 +49,7 @@ std::string do_job(const ReadJob& job, const StageLog& log) {
 std::string encode_job(const ReadJob& job) {
   ByteWriter out;
   out(job.path.string(), job.kind, job.shape.IsNull() ? std::string() : encode_shape(job.shape),
-      job.options.facet_deflection, job.options.sew_tolerance, job.options.fuse);
+      job.options.facet_deflection, job.options.sew_tolerance, job.options.fuse, job.touching);
   return std::move(out.bytes);
 }
 
@@ -87,6 +92,19 @@ std::string guarded_bytes(const ReadJob& job, std::string& note) {
   return in_this_process();
 }
 
+/// Faces that cross bound nothing, with edges there or without: what touches any of those is left as it is.
+std::vector<FaceTouch> touches_without_crossings(const Model& model) {
+  std::vector<FaceTouch> touches = touching_faces(model);
+  if (touches.empty()) return touches;
+  std::set<int> crossed;
+  for (const FaceCrossing& crossing : face_crossings(model))
+    crossed.insert(crossing.face.begin(), crossing.face.end());
+  std::erase_if(touches, [&](const FaceTouch& touch) {
+    return crossed.count(touch.face[0]) > 0 || crossed.count(touch.face[1]) > 0;
+  });
+  return touches;
+}
+
 }  // namespace
 
 std::string reader_version() { return "Octet " OCTET_VERSION " with OCCT " OCC_VERSION_COMPLETE; }
@@ -95,7 +113,8 @@ std::string serve_job(std::string_view request, const StageLog& log) {
   ByteReader in(request);
   ReadJob job;
   std::string path, shape;
-  in(path, job.kind, shape, job.options.facet_deflection, job.options.sew_tolerance, job.options.fuse);
+  in(path, job.kind, shape, job.options.facet_deflection, job.options.sew_tolerance, job.options.fuse,
+     job.touching);
   job.path = path;
   if (!shape.empty()) job.shape = decode_shape(shape);
   return do_job(job, log);
@@ -111,6 +130,23 @@ ModelParts read_job(const ReadJob& job) {
     return parts;
   } catch (const Standard_Failure& failure) {
     throw Bug(std::string("a part that was read cannot be restored: ") + failure.GetMessageString());
+  }
+}
+
+Model read_model(ReadJob job) {
+  Model model(read_job(job));
+  const std::vector<FaceTouch> touches = touches_without_crossings(model);
+  if (touches.empty()) return model;
+  const auto numbers = sources(model.provenance(), 2, model.count(2));
+  for (const FaceTouch& touch : touches) {
+    const auto &a = numbers[static_cast<std::size_t>(touch.face[0])],
+               &b = numbers[static_cast<std::size_t>(touch.face[1])];
+    if (!a.empty() && !b.empty()) job.touching.push_back({a.front(), b.front()});
+  }
+  try {
+    return Model(read_job(job));
+  } catch (const Error&) {  // as the file has it, it can be read
+    return model;
   }
 }
 

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <TopoDS_Shape.hxx>
+#include <array>
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "geom/model.h"
 #include "geom/occt/child_process.h"
@@ -20,7 +22,12 @@ struct ReadJob {
   FileKind kind = FileKind::kStep;
   TopoDS_Shape shape;  ///< used when it is not null
   ReadOptions options;
+  /// Numbers as read of pairs of faces that touch, to be imprinted on each other.
+  std::vector<std::array<int, 2>> touching;
 };
+
+/// The part. Where faces of one solid touch, it is read once more, and they are imprinted on each other.
+[[nodiscard]] Model read_model(ReadJob job);
 
 /// All that makes a model, by a child process as ReadOptions says.
 [[nodiscard]] ModelParts read_job(const ReadJob& job);

@@ -108,6 +108,42 @@ std::size_t put_first(Mesh& mesh, const std::vector<char>& first) {
   return static_cast<std::size_t>(std::count(first.begin(), first.end(), 1));
 }
 
+/// The triangles on a model face, by their corners' places.
+std::set<std::array<std::array<double, 3>, 3>> triangles_on(const Mesh& mesh, int face) {
+  std::set<std::array<std::array<double, 3>, 3>> found;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    if (mesh.triangle_on[i] != face) continue;
+    std::array<std::array<double, 3>, 3> corners;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3& p = mesh.points[mesh.triangles[i][k]];
+      corners[k] = {p.x(), p.y(), p.z()};
+    }
+    std::sort(corners.begin(), corners.end());
+    found.insert(corners);
+  }
+  return found;
+}
+
+TEST(Finalize, HeldVerticesAndTheTrianglesBetweenThemStay) {
+  Part part = testing::box_part({1, 1, 1}, 6, 6, 6, true);
+  testing::Dice dice(5);
+  testing::jitter(part.mesh, part.model, 0.05, dice);
+  constexpr int kHeld = 1;
+  const auto before = triangles_on(part.mesh, kHeld);
+  ASSERT_GT(before.size(), 50u);
+  FinalizeOptions options = testing::options_of_size(1.0 / 6.0);
+  Observer observer;
+  Mesh free = part.mesh, held = part.mesh;
+  finalize(free, part.model, options, observer);
+  EXPECT_NE(triangles_on(free, kHeld), before);
+  for (std::size_t i = 0; i < held.triangles.size(); ++i)
+    if (held.triangle_on[i] == kHeld)
+      options.held.insert(options.held.end(), held.triangles[i].begin(), held.triangles[i].end());
+  const FinalizeReport report = finalize(held, part.model, options, observer);
+  EXPECT_EQ(triangles_on(held, kHeld), before);
+  EXPECT_GT(report.smoothed, 0u) << "the others are worked on";
+}
+
 TEST(Finalize, KeepsTheSeamToTetrahedraThatAreNotGiven) {
   Part part = testing::box_part({1, 1, 1}, 8, 8, 8, true);
   testing::Dice dice(3);

@@ -17,6 +17,7 @@
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
+#include <BRepPrimAPI_MakeRevol.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepTools_ReShape.hxx>
 #include <BRep_Builder.hxx>
@@ -37,6 +38,8 @@
 
 #include <cmath>
 #include <numbers>
+
+#include "tests/support/hook.h"
 
 namespace octet::test {
 namespace {
@@ -276,6 +279,10 @@ TopoDS_Shape coating(double thickness) {
                       cut(box(-3, -3, -3, 6, 6, 6), outer));
 }
 
+TopoDS_Shape ring_of(const TopoDS_Face& section) {
+  return BRepPrimAPI_MakeRevol(section, gp_Ax1(gp_Pnt(0, 0, 0), gp::DZ())).Shape();
+}
+
 }  // namespace
 
 std::vector<FamilyPart> family_parts() {
@@ -325,6 +332,10 @@ std::vector<FamilyPart> family_parts() {
   add("slanted_half_hole", [] { return slanted_half_hole(); });
   add("halved_blind_holes", [] { return halved_blind_holes(); });
   add("balls_at_a_point", [] { return side_by_side(cut(ball(0, 3), ball(1, 2)), ball(1, 2)); });
+  add("needle_bore", [] { return cut(box(0, 0, 0, 2, 2, 2), rod({1.03, 0.9, 1.9}, gp::DZ(), 0.001, 1)); });
+  add("tip_on_a_wall", [] { return BRepPrimAPI_MakePrism(hook(0, 1.5, true), gp_Vec(0, 3, 0)).Shape(); });
+  add("ring_on_a_wall", [] { return ring_of(hook(1, 1.5, true)); });
+  add("ring_flat_on_a_wall", [] { return ring_of(hook(1, 1.5, false)); });
   return parts;
 }
 

@@ -23,6 +23,7 @@
 #include "base/error.h"
 #include "geom/model_check.h"
 #include "geom/occt/from_shape.h"
+#include "geom/occt/sub_shapes.h"
 #include "tests/geom/occt/compound_of.h"
 
 namespace octet::test {
@@ -128,18 +129,44 @@ bool has_loose_ends(const std::vector<TopoDS_Shape>& solids) {
   return false;
 }
 
+/// A ring with a groove around it, and balls of the groove's own radius, which touch it along circles.
+const gp_Ax2 kGroove(gp_Pnt(-62.3, -42.1, 0), gp_Dir(0, 1, 0), gp_Dir(1, 0, 0));
+TopoDS_Shape grooved_ring() {
+  const TopoDS_Shape wheel = BRepPrimAPI_MakeCylinder(kGroove.Translated(gp_Vec(0, -3, 0)), 9.6, 6.0).Shape();
+  const TopoDS_Shape ring = BRepAlgoAPI_Cut(wheel, BRepPrimAPI_MakeTorus(kGroove, 9.6, 2.0).Shape()).Shape();
+  return TopExp_Explorer(ring, TopAbs_SOLID).Current();
+}
+TopoDS_Shape ball_in_groove(double angle) {
+  const gp_Vec out =
+      std::cos(angle) * gp_Vec(kGroove.XDirection()) + std::sin(angle) * gp_Vec(kGroove.YDirection());
+  return BRepPrimAPI_MakeSphere(kGroove.Location().Translated(9.6 * out), 2.0).Shape();
+}
+
+/// Edges that both solids have.
+int shared_edges(const TopoDS_Shape& a, const TopoDS_Shape& b) {
+  const TopTools_IndexedMapOfShape of_a = sub_shapes(a, TopAbs_EDGE), of_b = sub_shapes(b, TopAbs_EDGE);
+  int count = 0;
+  for (int i = 1; i <= of_a.Extent(); ++i) count += of_b.Contains(of_a(i)) ? 1 : 0;
+  return count;
+}
+
+TEST(Fuse, BallsInAGrooveShareTheCircleWithIt) {
+  for (int i = 0; i < 6; ++i) {
+    SolidSet set = set_of({grooved_ring(), ball_in_groove(0.5 + i)});
+    std::vector<KeptApart> apart;
+    fuse(set, apart);
+    EXPECT_TRUE(apart.empty()) << i;
+    ASSERT_EQ(set.solids.size(), 2u);
+    EXPECT_FALSE(has_loose_ends(set.solids)) << i;
+    EXPECT_GE(shared_edges(set.solids[0], set.solids[1]), 1) << i;
+  }
+}
+
 TEST(Fuse, SolidsThatTouchAlongALineShareNoPiecesOfIt) {
-  // Balls in a groove of their own radius touch it along circles, which the fuse finds here and there.
-  const gp_Ax2 groove(gp_Pnt(-62.3, -42.1, 0), gp_Dir(0, 1, 0), gp_Dir(1, 0, 0));
-  const TopoDS_Shape wheel = BRepPrimAPI_MakeCylinder(groove.Translated(gp_Vec(0, -3, 0)), 9.6, 6.0).Shape();
-  const TopoDS_Shape ring = BRepAlgoAPI_Cut(wheel, BRepPrimAPI_MakeTorus(groove, 9.6, 2.0).Shape()).Shape();
+  // The same as splines: the circles are not known, and the fuse finds them here and there.
   int kept = 0;
   for (int i = 0; i < 6; ++i) {
-    const double angle = 0.5 + i;
-    const gp_Vec out =
-        std::cos(angle) * gp_Vec(groove.XDirection()) + std::sin(angle) * gp_Vec(groove.YDirection());
-    SolidSet set =
-        set_of({ring, BRepPrimAPI_MakeSphere(groove.Location().Translated(9.6 * out), 2.0).Shape()});
+    SolidSet set = set_of({BRepBuilderAPI_NurbsConvert(grooved_ring()).Shape(), ball_in_groove(0.5 + i)});
     std::vector<KeptApart> apart;
     fuse(set, apart);
     EXPECT_FALSE(has_loose_ends(set.solids)) << i;

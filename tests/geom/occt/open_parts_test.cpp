@@ -33,7 +33,7 @@ ModelParts parts_of(const std::vector<TopoDS_Shape>& shapes) {
     document.tree.push_back(part);
   }
   const OcctLock lock;
-  return assemble(document, {}, [](const std::string&) {}).parts;
+  return assemble(document, {}, {}, [](const std::string&) {}).parts;
 }
 
 TEST(OpenParts, FacesSewnIntoASolidAreNotLeftOut) {
