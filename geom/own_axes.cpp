@@ -4,7 +4,6 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <string_view>
@@ -17,44 +16,30 @@ constexpr double kAngle = 1e-5;       ///< directions that differ by less are on
 constexpr double kOnAxis = 1e-9;      ///< the same for a direction and a coordinate axis
 constexpr double kSameMoment = 1e-3;  ///< moments of no direction of their own
 
-/// Second moments of the surface about its centroid, per area.
-struct Moments {
-  Vec3 centre = Vec3::Zero();
-  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
-};
-
-Moments surface_moments(const Facets& facets) {
-  Moments m;
+/// Of the surface, about its centroid, per area.
+void add_moments(const Facets& facets, Landmarks& landmarks) {
   double area = 0.0;
   for (const bool centred : {false, true}) {
-    if (centred) m.centre /= area;
+    if (centred) landmarks.centre /= area;
     for (std::size_t t = 0; t < facets.triangles.size(); ++t) {
       const auto [a, b, c] = facet_corners(facets, t);
       const double weight = 0.5 * (b - a).cross(c - a).norm();
       if (!centred) {
         area += weight;
-        m.centre += weight * (a + b + c) / 3.0;
+        landmarks.centre += weight * (a + b + c) / 3.0;
         continue;
       }
-      const Vec3 sum = a + b + c - 3.0 * m.centre;
-      m.second += weight / 12.0 * sum * sum.transpose();
+      const Vec3 sum = a + b + c - 3.0 * landmarks.centre;
+      landmarks.second += weight / 12.0 * sum * sum.transpose();
       for (const Vec3& corner : {a, b, c})
-        m.second += weight / 12.0 * (corner - m.centre) * (corner - m.centre).transpose();
+        landmarks.second +=
+            weight / 12.0 * (corner - landmarks.centre) * (corner - landmarks.centre).transpose();
     }
   }
-  m.second /= area;
-  return m;
+  landmarks.second /= area;
 }
 
-struct PlaneDirection {
-  Vec3 normal;
-  double area = 0.0;
-};
-
-/// In the order of the faces that come first; a part of countless directions is described by some of them.
-std::vector<PlaneDirection> plane_directions(const Model& model) {
-  constexpr std::size_t kMost = 256;
-  std::vector<PlaneDirection> directions;
+void add_planes(const Model& model, Landmarks& landmarks) {
   std::vector<bool> seen(static_cast<std::size_t>(model.count(2)) + 1);
   const Facets& facets = model.facets();
   for (std::size_t t = 0; t < facets.triangles.size(); ++t) {
@@ -62,17 +47,18 @@ std::vector<PlaneDirection> plane_directions(const Model& model) {
     if (seen[static_cast<std::size_t>(face)]) continue;
     seen[static_cast<std::size_t>(face)] = true;
     if (std::string_view(model.surface(face).kind()) != "plane") continue;
-    const Vec3 normal = -model.face_normal(face, facets.uv[t][0]);  // mostly into the part: from low to high
-    auto known = std::find_if(directions.begin(), directions.end(), [&](const PlaneDirection& d) {
-      return d.normal.cross(normal).norm() < kAngle;
-    });
-    if (known == directions.end()) {
-      if (directions.size() == kMost) continue;
-      known = directions.insert(known, {normal});
-    }
-    known->area += std::abs(model.face(face).area);
+    // Mostly into the part: from low to high.
+    landmarks.add_plane(-model.face_normal(face, facets.uv[t][0]), std::abs(model.face(face).area));
   }
-  return directions;
+}
+
+Landmarks landmarks_of(const Model& model) {
+  Landmarks landmarks;
+  add_planes(model, landmarks);
+  add_moments(model.facets(), landmarks);
+  for (int v = 1; v <= model.count(0); ++v) landmarks.vertices.push_back(model.vertex(v).point);
+  landmarks.diagonal = model.diagonal();
+  return landmarks;
 }
 
 /// The direction of the most area, at right angles to `axis` where that is not zero.
@@ -95,11 +81,11 @@ std::optional<Vec3> single_moment(const Eigen::Matrix3d& second, int dimensions)
 
 /// From the centre to the vertex that is farthest from the axis through it, at right angles to the axis; zero
 /// where all are on it.
-Vec3 farthest_vertex(const Model& model, const Vec3& centre, const Vec3& axis) {
+Vec3 farthest_vertex(const Landmarks& landmarks, const Vec3& axis) {
   Vec3 farthest = Vec3::Zero();
-  for (int v = 1; v <= model.count(0); ++v) {
-    const Vec3 d = model.vertex(v).point - centre, across = d - d.dot(axis) * axis;
-    if (across.norm() > (1.0 + kSame) * farthest.norm() + kSame * model.diagonal()) farthest = across;
+  for (const Vec3& vertex : landmarks.vertices) {
+    const Vec3 d = vertex - landmarks.centre, across = d - d.dot(axis) * axis;
+    if (across.norm() > (1.0 + kSame) * farthest.norm() + kSame * landmarks.diagonal) farthest = across;
   }
   return farthest;
 }
@@ -114,18 +100,17 @@ Vec3 snapped(Vec3 axis) {
 /// A moment tells a line; the vertex tells its direction.
 Vec3 towards(const Vec3& landmark, const Vec3& axis) { return landmark.dot(axis) < 0.0 ? Vec3(-axis) : axis; }
 
-Vec3 first_axis(const Model& model, const std::vector<PlaneDirection>& directions, const Moments& moments) {
-  if (const auto normal = main_direction(directions, Vec3::Zero())) return *normal;
-  const auto axis = single_moment(moments.second, 3);
-  return axis ? towards(farthest_vertex(model, moments.centre, Vec3::Zero()), *axis) : Vec3(Vec3::Zero());
+Vec3 first_axis(const Landmarks& landmarks) {
+  if (const auto normal = main_direction(landmarks.planes, Vec3::Zero())) return *normal;
+  const auto axis = single_moment(landmarks.second, 3);
+  return axis ? towards(farthest_vertex(landmarks, Vec3::Zero()), *axis) : Vec3(Vec3::Zero());
 }
 
-Vec3 second_axis(const Model& model, const std::vector<PlaneDirection>& directions, const Moments& moments,
-                 const Vec3& first) {
-  if (const auto normal = main_direction(directions, first)) return *normal;
+Vec3 second_axis(const Landmarks& landmarks, const Vec3& first) {
+  if (const auto normal = main_direction(landmarks.planes, first)) return *normal;
   const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - first * first.transpose();
-  const Vec3 landmark = farthest_vertex(model, moments.centre, first);
-  if (const auto axis = single_moment(across * moments.second * across, 2)) return towards(landmark, *axis);
+  const Vec3 landmark = farthest_vertex(landmarks, first);
+  if (const auto axis = single_moment(across * landmarks.second * across, 2)) return towards(landmark, *axis);
   if (landmark.norm() > 0.0) return landmark.normalized();
   Eigen::Index least = 0;
   first.cwiseAbs().minCoeff(&least);
@@ -134,12 +119,23 @@ Vec3 second_axis(const Model& model, const std::vector<PlaneDirection>& directio
 
 }  // namespace
 
-Eigen::Matrix3d own_axes(const Model& model) {
-  const Moments moments = surface_moments(model.facets());
-  const std::vector<PlaneDirection> directions = plane_directions(model);
-  const Vec3 first = snapped(first_axis(model, directions, moments));
+void Landmarks::add_plane(const Vec3& normal, double area) {
+  constexpr std::size_t kMost = 256;
+  auto known = std::find_if(planes.begin(), planes.end(),
+                            [&](const PlaneDirection& d) { return d.normal.cross(normal).norm() < kAngle; });
+  if (known == planes.end()) {
+    if (planes.size() == kMost) return;
+    known = planes.insert(known, {normal, 0.0});
+  }
+  known->area += area;
+}
+
+Eigen::Matrix3d own_axes(const Model& model) { return own_axes(landmarks_of(model)); }
+
+Eigen::Matrix3d own_axes(const Landmarks& landmarks) {
+  const Vec3 first = snapped(first_axis(landmarks));
   if (!(first.norm() > 0.5)) return Eigen::Matrix3d::Identity();
-  const Vec3 rough = second_axis(model, directions, moments, first);
+  const Vec3 rough = second_axis(landmarks, first);
   const Vec3 second = snapped((rough - rough.dot(first) * first).normalized());
   Eigen::Matrix3d axes;
   axes << first.transpose(), second.transpose(), snapped(first.cross(second)).transpose();

@@ -15,12 +15,14 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <string_view>
 
 #include "base/error.h"
 #include "geom/occt/canonical.h"
 #include "geom/occt/deviation.h"
 #include "geom/occt/measure.h"
 #include "geom/occt/triangulate_boundary.h"
+#include "geom/own_axes.h"
 
 namespace octet {
 namespace {
@@ -196,39 +198,94 @@ void weld(const Numbering& numbering, ModelParts& parts) {
   measure_deviation(welder.chain_parameters(), parts);
 }
 
-void add_edge(const ModelParts& parts, std::size_t edge, Box3& box) {
-  const ModelEdge& e = parts.edges[edge];
-  for (const int v : e.vertex) box.add(parts.vertices[v].point);
-  for (const Vec3& point : edge_samples(parts, edge)) box.add(point);
+/// Its ends and places between.
+std::vector<Vec3> points_of(const ModelParts& parts, std::size_t edge) {
+  std::vector<Vec3> points = edge_samples(parts, edge);
+  points.insert(points.begin(), parts.vertices[parts.edges[edge].vertex[0]].point);
+  points.push_back(parts.vertices[parts.edges[edge].vertex[1]].point);
+  return points;
 }
 
-double diagonal_of(const ModelParts& parts) {
-  Box3 all;
-  for (std::size_t e = 1; e < parts.edges.size(); ++e) add_edge(parts, e, all);
-  return all.diagonal();
+/// Of what the loops of a planar face enclose, by points on its edges.
+double planar_area(const ModelParts& parts, const ModelFace& face, const Vec3& normal) {
+  Vec3 twice = Vec3::Zero();
+  for (const FaceBoundary& side : face.boundary) {
+    const std::vector<Vec3> points = points_of(parts, static_cast<std::size_t>(side.edge));
+    const Vec3 origin = parts.vertices[parts.edges[face.boundary.front().edge].vertex[0]].point;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i)
+      twice += side.sense * (points[i] - origin).cross(points[i + 1] - origin);
+  }
+  return 0.5 * std::abs(twice.dot(normal));
 }
+
+/// What there is to tell a part's own axes by before it has facets.
+Landmarks landmarks_of(const ModelParts& parts, const std::vector<Vec3>& points) {
+  Landmarks landmarks;
+  for (std::size_t f = 1; f < parts.faces.size(); ++f) {
+    if (std::string_view(parts.surfaces[f]->kind()) != "plane") continue;
+    const Vec3 normal = (parts.faces[f].reversed ? 1.0 : -1.0) * parts.surfaces[f]->normal(Vec2::Zero());
+    landmarks.add_plane(normal, planar_area(parts, parts.faces[f], normal));
+  }
+  const double share = 1.0 / static_cast<double>(points.size());
+  for (const Vec3& p : points) landmarks.centre += share * p;
+  for (const Vec3& p : points)
+    landmarks.second += share * (p - landmarks.centre) * (p - landmarks.centre).transpose();
+  for (std::size_t v = 1; v < parts.vertices.size(); ++v)
+    landmarks.vertices.push_back(parts.vertices[v].point);
+  for (const Vec3& p : points)
+    landmarks.diagonal = std::max(landmarks.diagonal, 2.0 * (p - landmarks.centre).norm());
+  return landmarks;
+}
+
+/// Sizes of boxes along the part's own axes: the same however it lies.
+class Extents {
+ public:
+  explicit Extents(const ModelParts& parts) : parts_(parts) {
+    std::vector<Vec3> points;
+    for (std::size_t e = 1; e < parts.edges.size(); ++e) {
+      const std::vector<Vec3> own = points_of(parts, e);
+      points.insert(points.end(), own.begin(), own.end());
+    }
+    if (points.empty()) return;
+    axes_ = own_axes(landmarks_of(parts, points));
+    Box3 box;
+    for (const Vec3& p : points) box.add(axes_ * p);
+    diagonal_ = box.diagonal();
+  }
+
+  [[nodiscard]] double diagonal() const { return diagonal_; }
+  [[nodiscard]] double diagonal_of(const ModelRegion& region) const {
+    Box3 box;
+    for (const int face : region.faces)
+      for (const FaceBoundary& side : parts_.faces[face].boundary)
+        for (const Vec3& p : points_of(parts_, static_cast<std::size_t>(side.edge))) box.add(axes_ * p);
+    return box.diagonal();
+  }
+
+ private:
+  const ModelParts& parts_;
+  Eigen::Matrix3d axes_ = Eigen::Matrix3d::Identity();
+  double diagonal_ = 0.0;
+};
 
 /// By face tag. What suits an assembly may be larger than a screw in it, whose holes would vanish.
-std::vector<double> default_deflections(const ModelParts& parts) {
-  std::vector<double> deflections(parts.faces.size(), kDeflectionShare * diagonal_of(parts));
+std::vector<double> default_deflections(const ModelParts& parts, const Extents& extents) {
+  std::vector<double> deflections(parts.faces.size(), kDeflectionShare * extents.diagonal());
   for (const ModelRegion& region : parts.regions) {
-    Box3 own;
+    const double own = extents.diagonal_of(region);
+    if (!(own > 0.0)) continue;
     for (const int face : region.faces)
-      for (const FaceBoundary& side : parts.faces[face].boundary)
-        add_edge(parts, static_cast<std::size_t>(side.edge), own);
-    if (!(own.diagonal() > 0.0)) continue;
-    for (const int face : region.faces)
-      deflections[face] = std::min(deflections[face], kOwnDeflectionShare * own.diagonal());
+      deflections[face] = std::min(deflections[face], kOwnDeflectionShare * own);
   }
   return deflections;
 }
 
 /// No triangles come near a face whose edges lie elsewhere. All that is asked of such facets would be
 /// answered by each of them, and wrongly.
-void refuse_far_facets(const ModelParts& parts, const std::vector<double>& deflections) {
+void refuse_far_facets(const ModelParts& parts, const std::vector<double>& deflections, double diagonal) {
   constexpr double kFar = 0.05;     // of the part's diagonal
   constexpr double kBeyond = 20.0;  // times what was asked for
-  const double far = kFar * diagonal_of(parts);
+  const double far = kFar * diagonal;
   for (std::size_t f = 1; f < parts.faces.size(); ++f) {
     const double deviation = parts.facets.deviation[f];
     if (deviation <= std::max(far, kBeyond * deflections[f])) continue;
@@ -243,15 +300,17 @@ void refuse_far_facets(const ModelParts& parts, const std::vector<double>& defle
 }  // namespace
 
 void tessellate(const Numbering& numbering, double deflection, const StageLog& log, ModelParts& parts) {
-  const std::vector<double> deflections =
-      deflection > 0.0 ? std::vector<double>(parts.faces.size(), deflection) : default_deflections(parts);
+  const Extents extents(parts);
+  const std::vector<double> deflections = deflection > 0.0
+                                              ? std::vector<double>(parts.faces.size(), deflection)
+                                              : default_deflections(parts, extents);
   const double coarsest = *std::max_element(deflections.begin(), deflections.end());
   std::optional<ModelError> first;
   const auto succeeds = [&](const auto& triangulate) {
     try {
       triangulate();
       weld(numbering, parts);
-      refuse_far_facets(parts, deflections);
+      refuse_far_facets(parts, deflections, extents.diagonal());
       return true;
     } catch (const ModelError& error) {
       if (!first) first = error;
