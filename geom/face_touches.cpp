@@ -301,9 +301,8 @@ std::vector<FaceTouch> face_touches(const Model& model, const std::vector<PlaceO
   return found;
 }
 
-std::vector<FaceTouch> touching_faces(const Model& model) {
+std::vector<FaceTouch> touching_faces(const Model& model, double near) {
   constexpr int kMostTries = 3000;  // each may take milliseconds
-  const double near = kTouchShare * model.diagonal();
   const NearPlaces places(model, near);
   std::vector<FaceTouch> found;
   int tries = 0;

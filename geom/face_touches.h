@@ -38,9 +38,9 @@ struct PlaceOnFace {
 [[nodiscard]] std::vector<FaceTouch> face_touches(const Model& model, const std::vector<PlaceOnFace>& places,
                                                   double reach, double near);
 
-/// The pairs of faces of one region that touch, each once, ascending: looked for wherever facets come as near
-/// as their deviations allow, from a few places for each pair. A cusp between facets may hide a touch; none
-/// is told in error.
-[[nodiscard]] std::vector<FaceTouch> touching_faces(const Model& model);
+/// The pairs of faces of one region that come nearer than `near`, each once, ascending: looked for wherever
+/// facets come as near as their deviations allow, from a few places for each pair. A cusp between facets may
+/// hide a touch; none is told in error.
+[[nodiscard]] std::vector<FaceTouch> touching_faces(const Model& model, double near);
 
 }  // namespace octet

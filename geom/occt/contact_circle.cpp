@@ -6,6 +6,10 @@
 #include <Adaptor3d_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom_Curve.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
 #include <gp_Ax1.hxx>
 #include <gp_Ax2.hxx>
 #include <gp_Circ.hxx>
@@ -140,14 +144,28 @@ std::vector<Vec2> touches(const Section& circle, const Section& other, double to
   return places;
 }
 
-TopoDS_Edge circle_edge(const Vec3& centre, const Vec3& axis, double radius) {
-  const gp_Ax2 frame(gp_Pnt(centre.x(), centre.y(), centre.z()), gp_Dir(axis.x(), axis.y(), axis.z()));
-  return BRepBuilderAPI_MakeEdge(gp_Circ(frame, radius)).Edge();
+gp_Circ circle_of(const Vec3& centre, const Vec3& axis, double radius) {
+  return {gp_Ax2(gp_Pnt(centre.x(), centre.y(), centre.z()), gp_Dir(axis.x(), axis.y(), axis.z())), radius};
+}
+
+/// Whether an edge of the face runs along the circle, but for what files leave between the two.
+bool has_edge_along(const TopoDS_Face& face, const gp_Circ& circle) {
+  constexpr double kBeside = 1e-3;  // of the radius
+  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
+    double first = 0.0, last = 0.0;
+    const Handle(Geom_Curve) curve = BRep_Tool::Curve(TopoDS::Edge(it.Current()), first, last);
+    if (curve.IsNull()) continue;
+    const auto is_beside = [&](double share) {
+      return circle.Distance(curve->Value(first + share * (last - first))) <= kBeside * circle.Radius();
+    };
+    if (is_beside(0.1) && is_beside(0.5) && is_beside(0.8)) return true;
+  }
+  return false;
 }
 
 /// A sphere in a torus of its own radius touches it along the tube's circle around its centre.
-std::optional<TopoDS_Edge> circle_in_tube(const BRepAdaptor_Surface& sphere, const BRepAdaptor_Surface& tube,
-                                          double tolerance) {
+std::optional<gp_Circ> circle_in_tube(const BRepAdaptor_Surface& sphere, const BRepAdaptor_Surface& tube,
+                                      double tolerance) {
   if (sphere.GetType() != GeomAbs_Sphere || tube.GetType() != GeomAbs_Torus) return std::nullopt;
   const gp_Torus torus = tube.Torus();
   const Axis axis = axis_of(torus.Axis());
@@ -156,24 +174,32 @@ std::optional<TopoDS_Edge> circle_in_tube(const BRepAdaptor_Surface& sphere, con
   const bool on_middle =
       std::abs(way.dot(axis.along)) <= tolerance && std::abs(out.norm() - torus.MajorRadius()) <= tolerance;
   if (!on_middle || std::abs(sphere.Sphere().Radius() - torus.MinorRadius()) > tolerance) return std::nullopt;
-  return circle_edge(centre, axis.along.cross(out).normalized(), torus.MinorRadius());
+  return circle_of(centre, axis.along.cross(out).normalized(), torus.MinorRadius());
 }
 
-}  // namespace
-
-std::vector<TopoDS_Edge> contact_circles(const TopoDS_Face& a, const TopoDS_Face& b, double tolerance) {
-  const BRepAdaptor_Surface f(a), g(b);
-  if (const auto edge = circle_in_tube(f, g, tolerance)) return {*edge};
-  if (const auto edge = circle_in_tube(g, f, tolerance)) return {*edge};
+std::vector<gp_Circ> surface_contacts(const BRepAdaptor_Surface& f, const BRepAdaptor_Surface& g,
+                                      double tolerance) {
+  if (const auto circle = circle_in_tube(f, g, tolerance)) return {*circle};
+  if (const auto circle = circle_in_tube(g, f, tolerance)) return {*circle};
   std::optional<Axis> axis = own_axis(f);
   if (!axis) axis = own_axis(g);
   if (!axis) return {};
   const Sectioner sectioner(*axis, tolerance);
   const std::optional<Section> s = sectioner.of(f), t = sectioner.of(g);
   if (!s || !t || (!s->is_circle && !t->is_circle)) return {};
-  std::vector<TopoDS_Edge> edges;
+  std::vector<gp_Circ> circles;
   for (const Vec2& p : s->is_circle ? touches(*s, *t, tolerance) : touches(*t, *s, tolerance))
-    edges.push_back(circle_edge(axis->origin + p.y() * axis->along, axis->along, p.x()));
+    circles.push_back(circle_of(axis->origin + p.y() * axis->along, axis->along, p.x()));
+  return circles;
+}
+
+}  // namespace
+
+std::vector<TopoDS_Edge> contact_circles(const TopoDS_Face& a, const TopoDS_Face& b, double tolerance) {
+  std::vector<TopoDS_Edge> edges;
+  for (const gp_Circ& circle : surface_contacts(BRepAdaptor_Surface(a), BRepAdaptor_Surface(b), tolerance))
+    if (!has_edge_along(a, circle) && !has_edge_along(b, circle))
+      edges.push_back(BRepBuilderAPI_MakeEdge(circle).Edge());
   return edges;
 }
 

@@ -16,6 +16,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "geom/occt/contact_circle.h"
 #include "geom/occt/edge_uses.h"
 #include "geom/occt/group_fuse.h"
 #include "geom/occt/shape_box.h"
@@ -66,24 +67,31 @@ double diagonal_of_all(const std::vector<TopoDS_Shape>& solids) {
   return diagonal_of(all);
 }
 
-/// Without conflicts, thin overlaps and gaps if any tolerance gives that; else that with the fewest.
+/// Without conflicts, thin overlaps and gaps if any tolerance gives that; else that with the fewest. Circles
+/// of contact are left away where the fuse gets worse by them.
 std::unique_ptr<GroupFuse> best_fuse(const std::vector<TopoDS_Shape>& solids) {
   const double diagonal = diagonal_of_all(solids);
   double smallest = diagonal;
   for (const TopoDS_Shape& solid : solids) smallest = std::min(smallest, diagonal_of(box_of(solid)));
+  const std::vector<TopoDS_Edge> contacts = contacts_of(solids, kContactShare * diagonal);
   const auto badness = [](const GroupFuse& fuse) {
     return std::make_tuple(fuse.failed(), fuse.conflicts().size(), fuse.thin_overlaps() + fuse.near().count);
   };
   const double largest = kLargestTolerance * smallest;
   std::unique_ptr<GroupFuse> best;
+  const auto attempt = [&](const std::vector<TopoDS_Edge>& with, double tolerance) {
+    auto fuse = std::make_unique<GroupFuse>(solids, with, tolerance, kThin * diagonal);
+    const bool sound = fuse->sound();
+    if (!best || badness(*fuse) < badness(*best)) best = std::move(fuse);
+    return sound;
+  };
   double last = -1.0;
   for (const double share : kTolerances) {
     const double tolerance = std::min(share * diagonal, largest);
     if (tolerance <= last) break;
     last = tolerance;
     if (best && best->sound() && best->thin_overlaps() == 0 && tolerance < best->near().narrowest) continue;
-    auto fuse = std::make_unique<GroupFuse>(solids, tolerance, kThin * diagonal);
-    if (!best || badness(*fuse) < badness(*best)) best = std::move(fuse);
+    if (!attempt(contacts, tolerance) && !contacts.empty()) attempt({}, tolerance);
     if (best->sound() && best->thin_overlaps() == 0 && best->near().count == 0) break;
   }
   return best;

@@ -125,7 +125,8 @@ TopTools_IndexedDataMapOfShapeListOfShape edges_of_vertices(const std::vector<To
   return edges;
 }
 
-/// The circles along which faces of different solids touch: the fuse does not find them.
+}  // namespace
+
 std::vector<TopoDS_Edge> contacts_of(const std::vector<TopoDS_Shape>& solids, double near) {
   struct Side {
     TopoDS_Face face;
@@ -150,12 +151,11 @@ std::vector<TopoDS_Edge> contacts_of(const std::vector<TopoDS_Shape>& solids, do
   return circles;
 }
 
-}  // namespace
-
-GroupFuse::GroupFuse(const std::vector<TopoDS_Shape>& solids, double tolerance, double thin)
+GroupFuse::GroupFuse(const std::vector<TopoDS_Shape>& solids, const std::vector<TopoDS_Edge>& contacts,
+                     double tolerance, double thin)
     : tolerance_(tolerance) {
   for (const TopoDS_Shape& solid : solids) builder_.AddArgument(solid);
-  for (const TopoDS_Edge& circle : contacts_of(solids, thin)) builder_.AddArgument(circle);
+  for (const TopoDS_Edge& circle : contacts) builder_.AddArgument(circle);
   builder_.SetNonDestructive(true);
   builder_.SetRunParallel(false);
   if (tolerance > 0.0) builder_.SetFuzzyValue(tolerance);

@@ -4,6 +4,7 @@
 
 #include <BOPAlgo_Builder.hxx>
 #include <BRepTools_History.hxx>
+#include <TopoDS_Edge.hxx>
 #include <TopoDS_Shape.hxx>
 #include <array>
 #include <cstddef>
@@ -23,10 +24,16 @@ struct FuseConflict {
   std::string cause;
 };
 
+/// The circles along which faces of different solids touch, no farther than `near` from each other: a general
+/// fuse does not find them.
+[[nodiscard]] std::vector<TopoDS_Edge> contacts_of(const std::vector<TopoDS_Shape>& solids, double near);
+
 class GroupFuse {
  public:
-  /// `thin`: what two solids fill together, or what parts their faces, is noise when it is thinner than this.
-  GroupFuse(const std::vector<TopoDS_Shape>& solids, double tolerance, double thin);
+  /// `contacts` take part in the fuse. `thin`: what two solids fill together, or what parts their faces, is
+  /// noise when it is thinner than this.
+  GroupFuse(const std::vector<TopoDS_Shape>& solids, const std::vector<TopoDS_Edge>& contacts,
+            double tolerance, double thin);
 
   [[nodiscard]] bool failed() const { return failed_; }
   [[nodiscard]] bool sound() const { return !failed_ && conflicts_.empty(); }

@@ -8,6 +8,7 @@
 #include <Standard_OutOfMemory.hxx>
 #include <Standard_Version.hxx>
 #include <array>
+#include <cmath>
 #include <new>
 #include <set>
 #include <utility>
@@ -18,6 +19,7 @@
 #include "geom/face_touches.h"
 #include "geom/occt/assemble.h"
 #include "geom/occt/byte_stream.h"
+#include "geom/occt/contact_circle.h"
 #include "geom/occt/part_stream.h"
 #include "geom/occt/silence.h"
 
@@ -94,7 +96,7 @@ std::string guarded_bytes(const ReadJob& job, std::string& note) {
 
 /// Faces that cross bound nothing, with edges there or without: what touches any of those is left as it is.
 std::vector<FaceTouch> touches_without_crossings(const Model& model) {
-  std::vector<FaceTouch> touches = touching_faces(model);
+  std::vector<FaceTouch> touches = touching_faces(model, kContactShare * model.diagonal());
   if (touches.empty()) return touches;
   std::set<int> crossed;
   for (const FaceCrossing& crossing : face_crossings(model))
@@ -103,6 +105,18 @@ std::vector<FaceTouch> touches_without_crossings(const Model& model) {
     return crossed.count(touch.face[0]) > 0 || crossed.count(touch.face[1]) > 0;
   });
   return touches;
+}
+
+/// Whether a model has all that another one has: faults and volumes tell.
+bool is_as_whole(const Model& model, const Model& other) {
+  constexpr double kSameVolume = 1e-6;
+  const auto volume = [](const Model& of) {
+    double sum = 0.0;
+    for (int region = 1; region <= of.count(3); ++region) sum += of.region(region).volume;
+    return sum;
+  };
+  return model.parts().faults.size() <= other.parts().faults.size() && model.count(3) >= other.count(3) &&
+         std::abs(volume(model) - volume(other)) <= kSameVolume * std::abs(volume(other));
 }
 
 }  // namespace
@@ -144,10 +158,11 @@ Model read_model(ReadJob job) {
     if (!a.empty() && !b.empty()) job.touching.push_back({a.front(), b.front()});
   }
   try {
-    return Model(read_job(job));
+    Model imprinted(read_job(job));
+    if (is_as_whole(imprinted, model)) return imprinted;
   } catch (const Error&) {  // as the file has it, it can be read
-    return model;
   }
+  return model;
 }
 
 }  // namespace octet

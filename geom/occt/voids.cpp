@@ -60,7 +60,7 @@ VoidsJoined join_voids(const TopoDS_Shape& solid) {
   if (solid.ShapeType() != TopAbs_SOLID) return same;
   const std::vector<TopoDS_Shape> shells = outside_and_voids(solid);
   if (shells.size() < 2) return same;
-  const GroupFuse fuse(shells, 0.0, 0.0);
+  const GroupFuse fuse(shells, {}, 0.0, 0.0);
   if (!fuse.sound() || any_cut(solid, *fuse.history()) || !any_joined(solid, *fuse.history())) return same;
   TopTools_MapOfShape voids;
   for (std::size_t i = 1; i < shells.size(); ++i)

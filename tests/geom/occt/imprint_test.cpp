@@ -44,7 +44,8 @@ int pinched_edges(const Model& model) {
 TEST(Imprint, ARoundTipThatTouchesAWallAlongALine) {
   const Model model = model_from_shape(prism(1.5));
   EXPECT_TRUE(has_note(model, "1 pair(s) were imprinted")) << "one cylinder, one plane";
-  EXPECT_TRUE(touching_faces(model).empty()) << "they have the line in common now";
+  EXPECT_TRUE(touching_faces(model, kTouchShare * model.diagonal()).empty())
+      << "they have the line in common now";
   EXPECT_EQ(pinched_edges(model), 1);
   EXPECT_TRUE(check_model(model).empty());
   const double area = 6.0 * 1.0 + 1.5 * 3.5 + 1.0 * 3.0 + 3.0 * 1.0 + std::numbers::pi / 8.0;
@@ -62,7 +63,7 @@ TEST(Imprint, ATipBesideTheWallStaysAsItIs) {
 TEST(Imprint, ATorusThatTouchesACylinderAlongACircle) {
   const Model model = model_from_shape(turned(1.5, true));
   EXPECT_TRUE(has_note(model, "were imprinted on each other"));
-  EXPECT_TRUE(touching_faces(model).empty());
+  EXPECT_TRUE(touching_faces(model, kTouchShare * model.diagonal()).empty());
   EXPECT_GE(pinched_edges(model), 1);
   EXPECT_TRUE(check_model(model).empty());
 }
@@ -70,7 +71,7 @@ TEST(Imprint, ATorusThatTouchesACylinderAlongACircle) {
 TEST(Imprint, FacesThatLieOnOneAnotherAreTakenAway) {
   const Model model = model_from_shape(turned(1.5, false));
   EXPECT_TRUE(has_note(model, "lay on one another"));
-  EXPECT_TRUE(touching_faces(model).empty());
+  EXPECT_TRUE(touching_faces(model, kTouchShare * model.diagonal()).empty());
   EXPECT_EQ(pinched_edges(model), 0) << "the finger and the wall are one body there";
   EXPECT_TRUE(check_model(model).empty());
   double area = 0.0, before = 0.0;
