@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
 #include <GeomAdaptor_Surface.hxx>
 #include <Geom_Surface.hxx>
@@ -191,16 +192,39 @@ void fill_regions(const Numbering& numbering, ModelParts& parts) {
   }
 }
 
+/// Whether the surface spans an area somewhere within the face's bounds.
+bool has_extent(const TopoDS_Face& face, const Surface& surface) {
+  constexpr int kPlaces = 3;
+  double u0 = 0.0, u1 = 0.0, v0 = 0.0, v1 = 0.0;
+  BRepTools::UVBounds(face, u0, u1, v0, v1);
+  const auto to_ours = from_occt_uv(surface);
+  for (int i = 0; i < kPlaces; ++i)
+    for (int j = 0; j < kPlaces; ++j) {
+      const Vec2 uv = to_ours({u0 + (u1 - u0) * (i + 0.5) / kPlaces, v0 + (v1 - v0) * (j + 0.5) / kPlaces});
+      const SurfaceJet jet = surface.evaluate(uv, 1);
+      if (jet.du.cross(jet.dv).norm() > 0.0) return true;
+    }
+  return false;
+}
+
 }  // namespace
 
 void make_geometry(const Numbering& numbering, ModelParts& parts) {
   parts.curves.resize(parts.edges.size());
   parts.surfaces.resize(parts.faces.size());
   parts.trims.resize(parts.faces.size());
-  for (int tag = 1; tag <= numbering.count(1); ++tag)
-    if (parts.edges[tag].use != EdgeUse::kDegenerate) parts.curves[tag] = make_curve(numbering.edge(tag));
+  for (int tag = 1; tag <= numbering.count(1); ++tag) {
+    if (parts.edges[tag].use == EdgeUse::kDegenerate) continue;
+    parts.curves[tag] = make_curve(numbering.edge(tag));
+    if (!parts.curves[tag]->point(parts.edges[tag].t0).allFinite())
+      throw ModelError(fmt::format("Edge {} has a curve whose numbers are none", tag), model_edge(tag));
+  }
   for (int tag = 1; tag <= numbering.count(2); ++tag) {
     parts.surfaces[tag] = make_surface(numbering.face(tag), tag);
+    if (!has_extent(numbering.face(tag), *parts.surfaces[tag]))
+      throw ModelError(
+          fmt::format("Face {} has a surface without extent: a radius of it is zero, or no number", tag),
+          model_face(tag));
     parts.trims[tag] = make_trim(numbering.face(tag), *parts.surfaces[tag]);
   }
 }

@@ -128,6 +128,18 @@ TEST(ReadPart, RefusesAFaceThatIsFarFromWhatIsBetweenItsEdges) {
   EXPECT_NE(error.find("off all triangles between its edges"), std::string::npos) << error;
 }
 
+TEST(ReadPart, RefusesASurfaceWithoutExtent) {
+  // OCCT reads such a radius as zero; questions about the face then took minutes.
+  std::string text = content_of(fs::path(OCTET_MODELS) / "torus.step");
+  const std::size_t at = text.find(',', text.find(',', text.find("TOROIDAL_SURFACE")) + 1);
+  const std::size_t last = text.find(',', at + 1);
+  ASSERT_NE(last, std::string::npos);
+  text.replace(last + 1, text.find(')', last) - last - 1, "NaN");
+  const TemporaryFile file("nan.step", text);
+  EXPECT_NE(error_of(file.path()).find("Face 1 has a surface without extent"), std::string::npos)
+      << error_of(file.path());
+}
+
 TEST(ReadPart, NamesAMissingFile) {
   EXPECT_NE(error_of("/nonexistent/part.step").find("does not exist"), std::string::npos);
 }
