@@ -92,7 +92,9 @@ void add_size_options(CLI::App& command, SizeWords& words) {
     command.add_option(name, value, help)->type_name(type)->multi_option_policy(last);
   };
   number("--size", words.size, "Edge length of the elements (default: from the part's dimensions)", "LENGTH");
-  number("--min-size", words.min_size, "Refine no further than this (default: size / 32)", "LENGTH");
+  number("--min-size", words.min_size,
+         "Refine no further than this (default: size / 32, less only where the mesh would have holes)",
+         "LENGTH");
   number("--max-size", words.max_size, "No size is larger than this, wherever it comes from", "LENGTH");
   number("--target-elements", words.target_elements, "Scale the sizes to get about so many tetrahedra", "N");
   command

@@ -15,8 +15,9 @@ namespace octet {
 
 /// Edge lengths in model units (millimetre), angles in radians.
 struct SizeControl {
-  double size = 0.0;               ///< edge length asked for; 0: chosen from the part
-  double min_size = 0.0;           ///< nothing is refined further than this; 0: size / 32
+  double size = 0.0;  ///< edge length asked for; 0: chosen from the part
+  double min_size =
+      0.0;  ///< nothing is refined further than this; 0: size / 32, less only where the mesh would have holes
   double max_size = 0.0;           ///< no size is larger than this, wherever it comes from; 0: no such limit
   double curvature_angle = 0.585;  ///< radians of turning per element: eleven on a circle; 0: off
   double curvature_floor = 0.0;    ///< curvature refines no further; 0: size / 11
