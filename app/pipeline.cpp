@@ -45,9 +45,11 @@ constexpr double kTouchReach = 0.1;
 /// Octants at gaps are subdivided to this share of the finest otherwise where no smallest size was asked for:
 /// a bore of 0.005 mm in a part of 46 mm is closed by octants of its own width.
 constexpr double kFinestAtGaps = 1.0 / 64.0;
-/// How often a mesh without gaps that fails a claim is made again: first with the boundary held in
-/// finalization where it comes near to itself, then with smaller octants at its faults, too.
-constexpr int kSecondTries = 4;
+/// How often a mesh without gaps that fails a claim is made again with the boundary held in finalization
+/// where it comes near to itself: around the faults so far, and the last time everywhere.
+constexpr int kHoldTries = 4;
+/// How often it is then made again with smaller octants at its faults.
+constexpr int kSecondTries = 3;
 /// In attempts after the first octree vertices keep farther off: middle layers of walls, which the nearer
 /// ones are for, are worth less than holes that close and claims that hold.
 constexpr double kRoomyClearance = 0.6;
@@ -88,14 +90,14 @@ class Run {
     choose_size();
     std::optional<Octree> tree = build_tree();
     std::optional<MeshResult> best;
-    for (int depth = 0; tree; ++depth) {
+    while (tree) {
       mesh_band(*std::exchange(tree, std::nullopt));
       extract();
       improve();
       append_interior();
       accept();
       const bool better = !best || result_.report.faults.size() < best->report.faults.size();
-      if (depth < kSecondTries && (better || tree_->size() <= kCheapTree)) tree = tree_for_faults();
+      tree = next_tree(better);
       keep_better(best, better);
     }
     result_ = *std::move(best);
@@ -325,7 +327,10 @@ class Run {
     finalize_options.fixed_vertices = fixed_vertices_;
     finalize_options.volume_beyond = deep_volumes(band_->tree, band_->labels, band_->split, model_.count(3));
     finalize_options.size_at = [this](const Vec3& p) { return band_->tree.spacing_at(p); };
-    if (hold_gaps_) finalize_options.held = vertices_at_gaps(result_.mesh, model_, finalize_options.size_at);
+    if (hold_tries_ > 0)
+      finalize_options.held = vertices_at_gaps(
+          result_.mesh, model_, finalize_options.size_at,
+          hold_tries_ < kHoldTries ? std::span<const Vec3>(fault_places_) : std::span<const Vec3>{});
     if (wish_) finalize_options.coarse_size_at = [this](const Vec3& p) { return wish_->spacing_at(p); };
     const FinalizeReport report = finalize(result_.mesh, model_, finalize_options, observer_);
     observer_.note(describe(report));
@@ -341,20 +346,27 @@ class Run {
     band_.reset();
   }
 
-  /// The tree for another try; none where there is no fault, or where that has been done for gaps already.
-  [[nodiscard]] std::optional<Octree> tree_for_faults() {
-    std::vector<Fault> faults = result_.report.faults;
-    if (faults.empty() || gaps_left_) return std::nullopt;
-    for (Fault& fault : faults) fault.place = frame_.to_model(fault.place);
-    if (!options_.finalize || std::exchange(hold_gaps_, true)) return finer_at_faults(faults);
-    observer_.note(
-        fmt::format("{} faults: where the boundary is near to itself it will be held", faults.size()));
-    return tree_;
+  /// The tree for another try; none where there is no fault, where gaps have had their tries already, and
+  /// where smaller octants have not helped a tree that is large.
+  [[nodiscard]] std::optional<Octree> next_tree(bool better) {
+    const std::size_t faults = result_.report.faults.size();
+    if (faults == 0 || gaps_left_) return std::nullopt;
+    if (options_.finalize && hold_tries_ < kHoldTries) {
+      for (const Fault& fault : result_.report.faults) fault_places_.push_back(frame_.to_model(fault.place));
+      observer_.note(fmt::format("{} faults: where the boundary is near to itself it will be held{}", faults,
+                                 ++hold_tries_ < kHoldTries ? " around them" : ""));
+      return tree_;
+    }
+    const bool hopeful = better || second_tries_ == 0 || tree_->size() <= kCheapTree;
+    if (!hopeful || second_tries_++ == kSecondTries) return std::nullopt;
+    return finer_at_faults();
   }
 
   /// What a user would do who is told to ask for a smaller size at a fault: the tree with octants subdivided
   /// there.
-  [[nodiscard]] std::optional<Octree> finer_at_faults(const std::vector<Fault>& faults) {
+  [[nodiscard]] std::optional<Octree> finer_at_faults() {
+    std::vector<Fault> faults = result_.report.faults;
+    for (Fault& fault : faults) fault.place = frame_.to_model(fault.place);
     std::optional<Octree> finer = subdivide_at(*tree_, faults, 0.5 * finest_octant());
     if (finer && !wish_) wish_ = tree_;
     if (finer)
@@ -418,8 +430,10 @@ class Run {
   std::vector<Fault>
       crossings_;               ///< of faces, too shallow for the size to tell: why gaps are left, if any are
   std::optional<Octree> wish_;  ///< octants of the sizes asked for, where some were subdivided
-  bool hold_gaps_ = false;      ///< in finalization, since an earlier try had faults
-  std::optional<Octree> tree_;  ///< that of the mesh, when the band has gone
+  int hold_tries_ = 0;          ///< with the boundary held in finalization
+  std::vector<Vec3> fault_places_;  ///< of the tries before, in the model's own frame
+  int second_tries_ = 0;            ///< with smaller octants at faults
+  std::optional<Octree> tree_;      ///< that of the mesh, when the band has gone
 };
 
 }  // namespace

@@ -242,7 +242,7 @@ bool replace_cavity(WorkMesh& mesh, const CavityChange& change, std::vector<TetI
 VertexId add_vertex(WorkMesh& mesh, const Vec3& point, ModelRef on) {
   mesh.on.push_back(on);
   mesh.tet_of.push_back(TetId());
-  mesh.frozen.push_back(0);
+  mesh.hold.push_back(Hold::kFree);
   mesh.vertex_mark.push_back(0);
   return mesh.points.push_back(point);
 }
@@ -252,7 +252,7 @@ void forget_vertex(WorkMesh& mesh, VertexId v) {
   mesh.points.values().pop_back();
   mesh.on.values().pop_back();
   mesh.tet_of.values().pop_back();
-  mesh.frozen.values().pop_back();
+  mesh.hold.values().pop_back();
   mesh.vertex_mark.values().pop_back();
 }
 

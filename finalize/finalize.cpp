@@ -74,7 +74,8 @@ void raise_mean(Workshop& shop, double floor, int sweeps, Observer& observer) {
 FinalizeReport finalize(Mesh& mesh, const Model& model, const FinalizeOptions& options, Observer& observer) {
   OCTET_CHECK(static_cast<bool>(options.size_at));
   Workshop shop(to_work_mesh(mesh, options.fixed_vertices), model, options);
-  for (const Mesh::Index v : options.held) shop.mesh.frozen[VertexId(v)] = 1;
+  for (const Mesh::Index v : options.held)
+    if (Hold& hold = shop.mesh.hold[VertexId(v)]; hold == Hold::kFree) hold = Hold::kOnBoundary;
   const Extremes before = extremes(shop.mesh, options.target_dihedral);
   const double polish = shape_of_angle(kPolishAngle);
   const double target = shape_of_angle(options.target_dihedral);

@@ -34,7 +34,7 @@ struct FinalizeOptions {
   /// The first so many vertices stay where they are and keep their numbers: tetrahedra that are not given
   /// here hold on to them, beyond faces that have one tetrahedron and are no triangles.
   std::size_t fixed_vertices = 0;
-  /// More vertices that stay where they are, and the boundary's triangles between them as well.
+  /// Boundary vertices that stay where they are, and so do the boundary's triangles between them.
   std::vector<Mesh::Index> held;
   std::vector<double> volume_beyond;  ///< of what is not given, per region tag; empty: nothing
   /// Local mesh size asked for at a place (model units); required.

@@ -126,7 +126,7 @@ bool commit_split(Workshop& shop, const EdgeRing& ring, const LocalStar& star, c
 }  // namespace
 
 bool split_edge(Workshop& shop, TetId t, VertexId a, VertexId b, double floor, double goal) {
-  if (shop.mesh.frozen[a] || shop.mesh.frozen[b]) return false;
+  if (shop.mesh.frozen(a) || shop.mesh.frozen(b)) return false;
   const Vec3 middle = 0.5 * (shop.mesh.points[a] + shop.mesh.points[b]);
   // Halves that would count as nicks: splitting them again and again gains angles in thin walls, not
   // elements.
@@ -135,7 +135,8 @@ bool split_edge(Workshop& shop, TetId t, VertexId a, VertexId b, double floor, d
   EdgeRing ring;
   edge_ring(shop.mesh, t, a, b, ring);
   const ModelRef on = edge_entity(shop.mesh, ring);
-  if (!on.valid()) return false;
+  if (!on.valid() || (on.dim < 3 && (shop.mesh.hold[a] != Hold::kFree || shop.mesh.hold[b] != Hold::kFree)))
+    return false;
   LocalStar star = future_star(shop, ring, on);
   const Stand from = seeds_of(shop, ring, star, middle);
   Stand stand;

@@ -108,9 +108,9 @@ void freeze_pinched(WorkMesh& work) {
   std::vector<TetId> tets;
   for (std::size_t i = 0; i < work.points.size(); ++i) {
     const VertexId v(i);
-    if (work.on[v].dim > 1 || work.frozen[v] || !work.alive(v)) continue;
+    if (work.on[v].dim > 1 || work.frozen(v) || !work.alive(v)) continue;
     star(work, v, tets);
-    work.frozen[v] = tets.size() != degree[v];
+    if (tets.size() != degree[v]) work.hold[v] = Hold::kFrozen;
   }
 }
 
@@ -153,7 +153,7 @@ void resize_vertices(WorkMesh& mesh, std::size_t count) {
   mesh.points.resize(count);
   mesh.on.resize(count);
   mesh.tet_of.resize(count);
-  mesh.frozen.resize(count);
+  mesh.hold.resize(count);
   mesh.vertex_mark.resize(count);
 }
 
@@ -236,8 +236,8 @@ WorkMesh to_work_mesh(const Mesh& mesh, std::size_t fixed) {
   work.points.values() = mesh.points;
   work.on.values() = mesh.point_on;
   work.tet_of.assign(vertices, TetId());
-  work.frozen.assign(vertices, 0);
-  std::fill_n(work.frozen.begin(), fixed, 1);
+  work.hold.assign(vertices, Hold::kFree);
+  std::fill_n(work.hold.begin(), fixed, Hold::kFrozen);
   work.vertex_mark.assign(vertices, 0);
   work.tets.resize(tets);
   work.neighbours.resize(tets);

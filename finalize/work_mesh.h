@@ -18,6 +18,16 @@
 
 namespace octet {
 
+/// What may not be done with a vertex.
+enum class Hold : char {
+  kFree,
+  /// It stays where it is, and so does the boundary around it.
+  kOnBoundary,
+  /// Nothing that needs its star: its tetrahedra do not hang together by faces (parts that touch at a vertex
+  /// or an edge), or others that are not given hold on to it.
+  kFrozen,
+};
+
 /// Structure of arrays; local numbering as drawn in mesh/tet_mesh.h.
 ///
 /// Invariants (`check_work_mesh` tests them word by word):
@@ -35,9 +45,7 @@ struct WorkMesh {
   IdVector<VertexId, Vec3> points;
   IdVector<VertexId, ModelRef> on;
   IdVector<VertexId, TetId> tet_of;
-  /// Vertices whose tetrahedra do not hang together by faces (parts that touch at a vertex or an edge): their
-  /// stars cannot be walked, so they stay as they are. So do those that others hold on to.
-  IdVector<VertexId, char> frozen;
+  IdVector<VertexId, Hold> hold;
 
   IdVector<TetId, std::array<VertexId, 4>> tets;
   IdVector<TetId, std::array<TetId, 4>> neighbours;
@@ -54,6 +62,7 @@ struct WorkMesh {
   [[nodiscard]] bool alive(TetId t) const { return tets[t][0].valid(); }
   [[nodiscard]] bool alive(VertexId v) const { return tet_of[v].valid(); }
   [[nodiscard]] const Vec3& point(TetId t, int corner) const { return points[tets[t][corner]]; }
+  [[nodiscard]] bool frozen(VertexId v) const { return hold[v] == Hold::kFrozen; }
   [[nodiscard]] bool on_boundary(VertexId v) const { return on[v].dim < 3; }
 
   // Scratch for walks: what carries the current epoch has been seen.

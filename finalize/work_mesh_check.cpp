@@ -29,7 +29,7 @@ std::string check_tet(const WorkMesh& mesh, TetId t) {
 std::string check_face(const WorkMesh& mesh, TetId t, int f) {
   const TetId n = mesh.neighbours[t][f];
   const std::int32_t tag = mesh.face_on[t][f];
-  const auto frozen = [&](int corner) { return mesh.frozen[mesh.tets[t][corner]] != 0; };
+  const auto frozen = [&](int corner) { return mesh.frozen(mesh.tets[t][corner]); };
   const bool seam = frozen(kTetFace[f][0]) && frozen(kTetFace[f][1]) && frozen(kTetFace[f][2]);
   if (!n.valid())
     return tag != 0 || seam ? "" : fmt::format("tet {} face {}: outer and not classified", t.index(), f);

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numbers>
 #include <set>
 #include <string_view>
 #include <utility>
 
+#include "base/golden_section.h"
 #include "geom/facet_bvh.h"
 
 namespace octet {
@@ -47,26 +47,9 @@ class Approach {
     const Vec3 way = model_.face_closest(face_[0], other_.point).point - at_;
     if (!(way.norm() > 0.0)) return false;
     const Vec3 start = at_, along = way.normalized();
-    constexpr double kGolden = std::numbers::phi - 1.0;
     constexpr int kCuts = 30;
-    double low = 0.0, high = reach;
-    double a = high - kGolden * (high - low), b = low + kGolden * (high - low);
-    double da = try_at(start + a * along), db = try_at(start + b * along);
-    for (int i = 0; i < kCuts; ++i) {
-      if (da < db) {
-        high = b;
-        b = a;
-        db = da;
-        a = high - kGolden * (high - low);
-        da = try_at(start + a * along);
-      } else {
-        low = a;
-        a = b;
-        da = db;
-        b = low + kGolden * (high - low);
-        db = try_at(start + b * along);
-      }
-    }
+    (void)golden_section(0.0, reach, kCuts,
+                         [&](double way_along) { return try_at(start + way_along * along); });
     return at_ != start;
   }
 
@@ -231,23 +214,11 @@ class NearPlaces {
     const auto distance = [&](double s) {
       return closest_on_triangle(from + s * (to - from), c[0], c[1], c[2]).distance;
     };
-    constexpr double kGolden = std::numbers::phi - 1.0;
     constexpr int kCuts = 10;  // for a place to begin at
-    double low = 0.0, high = 1.0, a = 1.0 - kGolden, b = kGolden, da = distance(a), db = distance(b);
-    for (int i = 0; i < kCuts; ++i)
-      if (da < db) {
-        high = std::exchange(b, a);
-        db = da;
-        da = distance(a = high - kGolden * (high - low));
-      } else {
-        low = std::exchange(a, b);
-        da = db;
-        db = distance(b = low + kGolden * (high - low));
-      }
-    std::pair<double, Vec3> best{std::numeric_limits<double>::infinity(), from};
-    for (const auto& [s, d] : {std::pair{0.0, distance(0.0)}, {1.0, distance(1.0)}, {a, da}, {b, db}})
-      if (d < best.first) best = {d, from + s * (to - from)};
-    return best;
+    std::pair best = golden_section(0.0, 1.0, kCuts, distance);
+    for (const double end : {0.0, 1.0})
+      if (const double d = distance(end); d < best.second) best = {end, d};
+    return {best.second, from + best.first * (to - from)};
   }
 
   void add(const Place& place) {

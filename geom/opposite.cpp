@@ -87,11 +87,15 @@ std::optional<Foot> opposite_point(const Model& model, const Vec3& a, int face_o
   return partner;
 }
 
-bool face_each_other(const Vec3& a, const Vec3& normal, const Foot& b) {
-  constexpr double kFacing = 0.7;
+double cosine_between(const Vec3& a, const Vec3& normal, const Foot& b) {
   const Vec3 chord = b.point - a;
   const double same_way = normal.dot(chord) * b.normal.dot(chord) < 0.0 ? -1.0 : 1.0;
-  return same_way * normal.dot(b.normal) >= kFacing;
+  return same_way * normal.dot(b.normal);
+}
+
+bool face_each_other(const Vec3& a, const Vec3& normal, const Foot& b) {
+  constexpr double kFacing = 0.7;
+  return cosine_between(a, normal, b) >= kFacing;
 }
 
 }  // namespace octet

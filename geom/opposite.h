@@ -17,8 +17,11 @@ namespace octet {
 [[nodiscard]] std::optional<Foot> opposite_point(const Model& model, const Vec3& a, int face_of_a,
                                                  const Vec3& normal, int side, double max_distance);
 
-/// Whether the sheets at a, of this normal, and at its opposite point b enclose less than 45 degrees. The
-/// normals' own sides do not matter: a face between two regions has its normal on either.
+/// Cosine of the angle between the sheets at a, of this normal, and at its opposite point b. The normals' own
+/// sides do not matter: a face between two regions has its normal on either.
+[[nodiscard]] double cosine_between(const Vec3& a, const Vec3& normal, const Foot& b);
+
+/// Whether the sheets at a and at its opposite point b enclose less than 45 degrees.
 [[nodiscard]] bool face_each_other(const Vec3& a, const Vec3& normal, const Foot& b);
 
 }  // namespace octet

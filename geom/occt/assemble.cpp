@@ -9,7 +9,6 @@
 #include <mutex>
 
 #include "geom/occt/heal.h"
-#include "geom/occt/imprint.h"
 #include "geom/occt/join_solids.h"
 #include "geom/occt/marks.h"
 #include "geom/occt/shape_box.h"
@@ -64,25 +63,6 @@ void note_left_out(ModelParts& parts) {
         count, word, word, first->entity.tag, first->name.empty() ? "" : " \"" + first->name + "\"",
         first->place.x(), first->place.y(), first->place.z()));
   }
-}
-
-void imprint(const ShapeMaps& as_read, const FaceNumberPairs& touching, SolidSet& set) {
-  std::vector<std::array<TopoDS_Face, 2>> pairs;
-  for (const auto& [a, b] : touching)
-    for (const TopoDS_Shape& f : images_of(as_read.of[2](a), set))
-      for (const TopoDS_Shape& g : images_of(as_read.of[2](b), set))
-        if (!f.IsSame(g)) pairs.push_back({TopoDS::Face(f), TopoDS::Face(g)});
-  Imprinted imprinted = imprint_faces(set.solids, pairs);
-  set.notes.push_back(fmt::format(
-      "{} pair(s) of faces touch without an edge or a vertex that they share, the first is Face {} and Face "
-      "{}; {} pair(s) were imprinted on each other",
-      touching.size(), touching.front()[0], touching.front()[1], imprinted.joined));
-  if (imprinted.doubles > 0)
-    set.notes.push_back(fmt::format(
-        "{} piece(s) of faces lay on one another, bound nothing and were taken away", imprinted.doubles));
-  if (imprinted.joined == 0) return;
-  set.solids = std::move(imprinted.solids);
-  set.history->Merge(imprinted.history);
 }
 
 /// The number as read of a solid of the healed set, 0: none.
@@ -155,11 +135,7 @@ AssembledPart assemble(const CadDocument& document, const ReadOptions& options,
   const ShapeMaps as_read(document.shape);
   log("collecting the solids");
   SolidSet healed = collect_solids(document.shape, as_read, options.sew_tolerance);
-  heal(as_read, options.sew_tolerance, log, healed);
-  if (!touching.empty()) {
-    log("imprinting faces that touch");
-    imprint(as_read, touching, healed);
-  }
+  heal(as_read, options.sew_tolerance, touching, log, healed);
   JoinedSolids joined = join_solids(as_read, healed, options, log);
   ModelParts& parts = joined.part.parts;
   parts.unit = document.unit;

@@ -2,11 +2,9 @@
 // An OCCT document to all that makes a model.
 #pragma once
 
-#include <array>
-#include <vector>
-
 #include "geom/occt/child_process.h"
 #include "geom/occt/document.h"
+#include "geom/occt/heal.h"
 #include "geom/occt/numbering.h"
 #include "geom/occt/read_part.h"
 
@@ -26,9 +24,6 @@ struct AssembledPart {
   Numbering numbering;  ///< the shapes behind the tags
   ModelParts parts;
 };
-
-/// Numbers as read of pairs of faces that touch.
-using FaceNumberPairs = std::vector<std::array<int, 2>>;
 
 /// Solids, numbers, topology, measures, facets and marks; faces that touch are imprinted on each other.
 /// Triangulates document.shape in place. Under OcctLock.

@@ -22,20 +22,18 @@
 #include <cmath>
 #include <optional>
 
-#include "base/vec.h"
+#include "geom/occt/canonical.h"
 
 namespace octet {
 namespace {
 
 constexpr double kParallel = 1e-9;  ///< sine of the angle between directions that are one
 
-Vec3 to_vec3(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
-
 struct Axis {
   Vec3 origin, along;
 };
 
-Axis axis_of(const gp_Ax1& axis) { return {to_vec3(axis.Location().XYZ()), to_vec3(axis.Direction().XYZ())}; }
+Axis axis_of(const gp_Ax1& axis) { return {to_vec(axis.Location().XYZ()), to_vec(axis.Direction().XYZ())}; }
 
 /// The section of a surface of revolution: coordinates are the distance from the axis, and along it.
 struct Section {
@@ -69,8 +67,8 @@ class Sectioner {
     switch (surface.GetType()) {
       case GeomAbs_Plane: {
         const gp_Ax1 normal = surface.Plane().Axis();
-        if (!is_parallel(to_vec3(normal.Direction().XYZ()))) return std::nullopt;
-        return line({0.0, height(to_vec3(normal.Location().XYZ()))}, {1.0, 0.0});
+        if (!is_parallel(to_vec(normal.Direction().XYZ()))) return std::nullopt;
+        return line({0.0, height(to_vec(normal.Location().XYZ()))}, {1.0, 0.0});
       }
       case GeomAbs_Cylinder:
         if (!is_same(axis_of(surface.Cylinder().Axis()))) return std::nullopt;
@@ -79,18 +77,18 @@ class Sectioner {
         const gp_Cone cone = surface.Cone();
         if (!is_same(axis_of(cone.Axis()))) return std::nullopt;
         const double way = axis_.along.dot(axis_of(cone.Axis()).along) > 0.0 ? 1.0 : -1.0;
-        return line({cone.RefRadius(), height(to_vec3(cone.Location().XYZ()))},
+        return line({cone.RefRadius(), height(to_vec(cone.Location().XYZ()))},
                     {std::sin(cone.SemiAngle()), way * std::cos(cone.SemiAngle())});
       }
       case GeomAbs_Sphere: {
-        const Vec3 centre = to_vec3(surface.Sphere().Location().XYZ());
+        const Vec3 centre = to_vec(surface.Sphere().Location().XYZ());
         if (distance(centre) > tolerance_) return std::nullopt;
         return circle({0.0, height(centre)}, surface.Sphere().Radius());
       }
       case GeomAbs_Torus: {
         const gp_Torus torus = surface.Torus();
         if (!is_same(axis_of(torus.Axis()))) return std::nullopt;
-        return circle({torus.MajorRadius(), height(to_vec3(torus.Location().XYZ()))}, torus.MinorRadius());
+        return circle({torus.MajorRadius(), height(to_vec(torus.Location().XYZ()))}, torus.MinorRadius());
       }
       case GeomAbs_SurfaceOfRevolution: {
         if (!is_same(axis_of(surface.AxeOfRevolution()))) return std::nullopt;
@@ -105,7 +103,7 @@ class Sectioner {
  private:
   /// Of the torus that a circle in a plane through the axis makes.
   [[nodiscard]] std::optional<Section> of(const gp_Circ& profile) const {
-    const Vec3 centre = to_vec3(profile.Location().XYZ()), normal = to_vec3(profile.Axis().Direction().XYZ());
+    const Vec3 centre = to_vec(profile.Location().XYZ()), normal = to_vec(profile.Axis().Direction().XYZ());
     const bool in_plane = std::abs(normal.dot(axis_.along)) < kParallel &&
                           std::abs(normal.dot(centre - axis_.origin)) <= tolerance_;
     if (!in_plane) return std::nullopt;
@@ -169,7 +167,7 @@ std::optional<gp_Circ> circle_in_tube(const BRepAdaptor_Surface& sphere, const B
   if (sphere.GetType() != GeomAbs_Sphere || tube.GetType() != GeomAbs_Torus) return std::nullopt;
   const gp_Torus torus = tube.Torus();
   const Axis axis = axis_of(torus.Axis());
-  const Vec3 centre = to_vec3(sphere.Sphere().Location().XYZ()), way = centre - axis.origin;
+  const Vec3 centre = to_vec(sphere.Sphere().Location().XYZ()), way = centre - axis.origin;
   const Vec3 out = way - way.dot(axis.along) * axis.along;
   const bool on_middle =
       std::abs(way.dot(axis.along)) <= tolerance && std::abs(out.norm() - torus.MajorRadius()) <= tolerance;

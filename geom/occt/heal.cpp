@@ -28,6 +28,7 @@
 
 #include "geom/occt/edge_uses.h"
 #include "geom/occt/folds.h"
+#include "geom/occt/imprint.h"
 #include "geom/occt/misplaced_curves.h"
 #include "geom/occt/sew.h"
 #include "geom/occt/short_edges.h"
@@ -43,7 +44,7 @@ class Healer {
   Healer(const ShapeMaps& as_read, double sew_tolerance, const StageLog& log, SolidSet& set)
       : as_read_(as_read), sew_tolerance_(sew_tolerance), log_(log), set_(set) {}
 
-  void run() {
+  void run(const FaceNumberPairs& touching) {
     for (std::size_t i = 0; i < set_.solids.size(); ++i) {
       log_(fmt::format("checking {}", name_of(set_.solids[i])));
       add_curves(set_.solids[i]);
@@ -58,6 +59,7 @@ class Healer {
       turn_inside_out(set_.solids[i]);
     }
     join_touching_voids();
+    imprint(touching);
     if (curves_ > 0)
       set_.notes.push_back(
           fmt::format("{} edge(s) had no curve in space and got that of their face, the first is {}", curves_,
@@ -260,6 +262,29 @@ class Healer {
     set_.solids = std::move(solids);
   }
 
+  void imprint(const FaceNumberPairs& touching) {
+    if (touching.empty()) return;
+    log_("imprinting faces that touch");
+    std::vector<std::array<TopoDS_Face, 2>> pairs;
+    for (const auto& [a, b] : touching)
+      for (const TopoDS_Shape& f : images_of(as_read_.of[2](a), set_))
+        for (const TopoDS_Shape& g : images_of(as_read_.of[2](b), set_))
+          if (!f.IsSame(g)) pairs.push_back({TopoDS::Face(f), TopoDS::Face(g)});
+    const Imprinted imprinted = imprint_faces(set_.solids, pairs);
+    set_.notes.push_back(fmt::format(
+        "{} pair(s) of faces touch without an edge or a vertex that they share, the first is Face {} and "
+        "Face {}; {} pair(s) were imprinted on each other",
+        touching.size(), touching.front()[0], touching.front()[1], imprinted.joined));
+    if (imprinted.doubles > 0)
+      set_.notes.push_back(fmt::format(
+          "{} piece(s) of faces lay on one another, bound nothing and were taken away", imprinted.doubles));
+    set_.solids = imprinted.solids;
+    set_.history->Merge(imprinted.history);
+    // An edge that took the place of one of another face has no curve on its neighbours there.
+    if (imprinted.joined > 0)
+      for (const TopoDS_Shape& solid : set_.solids) add_curves(solid);
+  }
+
   const ShapeMaps& as_read_;
   double sew_tolerance_;
   const StageLog& log_;
@@ -274,8 +299,9 @@ std::string inside_out_note(const std::string& solid) {
   return solid + " was turned inside out (it filled all space but a hole) and was turned back";
 }
 
-void heal(const ShapeMaps& as_read, double sew_tolerance, const StageLog& log, SolidSet& set) {
-  Healer(as_read, sew_tolerance, log, set).run();
+void heal(const ShapeMaps& as_read, double sew_tolerance, const FaceNumberPairs& touching,
+          const StageLog& log, SolidSet& set) {
+  Healer(as_read, sew_tolerance, log, set).run(touching);
 }
 
 }  // namespace octet

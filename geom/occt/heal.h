@@ -2,10 +2,16 @@
 // Repairs what is wrong with solids, and says what it changed.
 #pragma once
 
+#include <array>
+#include <vector>
+
 #include "geom/occt/child_process.h"
 #include "geom/occt/solids.h"
 
 namespace octet {
+
+/// Numbers as read of pairs of faces that touch.
+using FaceNumberPairs = std::vector<std::array<int, 2>>;
 
 /// Nothing is touched that is right, and each repair is one line in set.notes with its count and the first
 /// entity, numbered as read:
@@ -15,9 +21,11 @@ namespace octet {
 ///  4. faces no wider than the tolerance of their sides become edges, faces folded flat onto a neighbour go;
 ///  5. where there are several, a solid turned inside out, so that it fills all space but its hole, is turned
 ///     before they are fused (a single one shows by its facets, which is surer);
-///  6. edges and vertices of voids that touch the outside of their solid become those of the outside.
+///  6. edges and vertices of voids that touch the outside of their solid become those of the outside;
+///  7. the faces of the pairs given are imprinted on each other.
 /// What remains open or damaged is left for the later stages to name.
-void heal(const ShapeMaps& as_read, double sew_tolerance, const StageLog& log, SolidSet& set);
+void heal(const ShapeMaps& as_read, double sew_tolerance, const FaceNumberPairs& touching,
+          const StageLog& log, SolidSet& set);
 
 /// What the notes say of a solid that was turned.
 [[nodiscard]] std::string inside_out_note(const std::string& solid);

@@ -8,8 +8,6 @@
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <IntTools_Context.hxx>
-#include <Precision.hxx>
-#include <ShapeFix_Edge.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -35,20 +33,6 @@ namespace {
 constexpr std::array<double, 3> kTolerances{0.0, 1e-7, 1e-6};
 
 using FacePairs = std::vector<std::array<TopoDS_Face, 2>>;
-
-/// An edge that took the place of one of another face has no curve on its neighbours there.
-void add_missing_curves(const TopoDS_Shape& solid) {
-  ShapeFix_Edge fix;
-  for (TopExp_Explorer faces(solid, TopAbs_FACE); faces.More(); faces.Next()) {
-    const TopoDS_Face face = TopoDS::Face(faces.Current().Oriented(TopAbs_FORWARD));
-    for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
-      const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
-      double first = 0.0, last = 0.0;
-      if (!BRep_Tool::Degenerated(edge) && BRep_Tool::CurveOnSurface(edge, face, first, last).IsNull())
-        fix.FixAddPCurve(edge, face, false, Precision::Confusion());
-    }
-  }
-}
 
 class Imprint {
  public:
@@ -104,7 +88,6 @@ class Imprint {
     for (TopoDS_Shape& solid : solids_) {
       const TopoDS_Shape made = without_doubles(changes_->Apply(solid));
       if (made.IsSame(solid)) continue;
-      add_missing_curves(made);
       const bool was_closed = edge_uses(solid).first(&Uses::open) == 0;
       const bool is_solid = made.ShapeType() == TopAbs_SOLID;
       if (!is_solid || (was_closed && edge_uses(made).first(&Uses::open) != 0)) joined_ = 0;

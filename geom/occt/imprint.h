@@ -21,7 +21,8 @@ struct Imprinted {
 
 /// Imprints faces that touch on each other, with the least of some tolerances that joins the most pairs. The
 /// rest of the solids stays: their edges and vertices change where those of these faces do. Where pieces of
-/// two faces of one solid lie on one another they bound nothing and are taken away.
+/// two faces of one solid lie on one another they bound nothing and are taken away. Edges that took the
+/// place of others may lack curves on neighbours: the caller adds them.
 [[nodiscard]] Imprinted imprint_faces(const std::vector<TopoDS_Shape>& solids,
                                       const std::vector<std::array<TopoDS_Face, 2>>& touching);
 

@@ -2,12 +2,15 @@
 // Reads a part where OCCT can harm nobody.
 #include "geom/occt/reader.h"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <Standard_Failure.hxx>
 #include <Standard_OutOfMemory.hxx>
 #include <Standard_Version.hxx>
+#include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <new>
 #include <set>
@@ -107,16 +110,31 @@ std::vector<FaceTouch> touches_without_crossings(const Model& model) {
   return touches;
 }
 
-/// Whether a model has all that another one has: faults and volumes tell.
-bool is_as_whole(const Model& model, const Model& other) {
+/// Numbers as read of the faces of each pair, where both have one.
+FaceNumberPairs numbers_of(const std::vector<FaceTouch>& touches, const Model& model) {
+  const auto numbers = sources(model.provenance(), 2, model.count(2));
+  FaceNumberPairs pairs;
+  for (const FaceTouch& touch : touches) {
+    const auto &a = numbers[static_cast<std::size_t>(touch.face[0])],
+               &b = numbers[static_cast<std::size_t>(touch.face[1])];
+    if (!a.empty() && !b.empty() && a.front() != b.front()) pairs.push_back({a.front(), b.front()});
+  }
+  return pairs;
+}
+
+/// What a model lacks of what another one has; empty: nothing.
+std::string loss_of(const Model& model, const Model& other) {
   constexpr double kSameVolume = 1e-6;
   const auto volume = [](const Model& of) {
     double sum = 0.0;
     for (int region = 1; region <= of.count(3); ++region) sum += of.region(region).volume;
     return sum;
   };
-  return model.parts().faults.size() <= other.parts().faults.size() && model.count(3) >= other.count(3) &&
-         std::abs(volume(model) - volume(other)) <= kSameVolume * std::abs(volume(other));
+  if (model.parts().faults.size() > other.parts().faults.size()) return model.parts().faults.back().cause;
+  if (model.count(3) < other.count(3)) return "a region would be lost";
+  if (std::abs(volume(model) - volume(other)) > kSameVolume * std::abs(volume(other)))
+    return fmt::format("the volume would change from {:.6g} to {:.6g} mm^3", volume(other), volume(model));
+  return {};
 }
 
 }  // namespace
@@ -148,21 +166,28 @@ ModelParts read_job(const ReadJob& job) {
 }
 
 Model read_model(ReadJob job) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point begin = Clock::now();
   Model model(read_job(job));
-  const std::vector<FaceTouch> touches = touches_without_crossings(model);
-  if (touches.empty()) return model;
-  const auto numbers = sources(model.provenance(), 2, model.count(2));
-  for (const FaceTouch& touch : touches) {
-    const auto &a = numbers[static_cast<std::size_t>(touch.face[0])],
-               &b = numbers[static_cast<std::size_t>(touch.face[1])];
-    if (!a.empty() && !b.empty()) job.touching.push_back({a.front(), b.front()});
-  }
+  job.touching = numbers_of(touches_without_crossings(model), model);
+  if (job.touching.empty()) return model;
+  double& limit = job.options.time_limit;
+  if (limit > 0.0)  // a moment at least: 0 would be no limit
+    limit = std::max(0.1, limit - std::chrono::duration<double>(Clock::now() - begin).count());
+  std::string loss;
   try {
     Model imprinted(read_job(job));
-    if (is_as_whole(imprinted, model)) return imprinted;
-  } catch (const Error&) {  // as the file has it, it can be read
+    loss = loss_of(imprinted, model);
+    if (loss.empty()) return imprinted;
+  } catch (const InputError& error) {
+    loss = error.what();
   }
-  return model;
+  ModelParts parts = model.parts();
+  parts.notes.push_back(fmt::format(
+      "{} pair(s) of faces touch without an edge or a vertex that they share, the first is Face {} "
+      "and Face {}; they are left so, for imprinted on each other: {}",
+      job.touching.size(), job.touching.front()[0], job.touching.front()[1], loss));
+  return Model(std::move(parts));
 }
 
 }  // namespace octet

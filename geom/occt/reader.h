@@ -3,15 +3,14 @@
 #pragma once
 
 #include <TopoDS_Shape.hxx>
-#include <array>
 #include <filesystem>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "geom/model.h"
 #include "geom/occt/child_process.h"
 #include "geom/occt/file_kind.h"
+#include "geom/occt/heal.h"
 #include "geom/occt/read_part.h"
 
 namespace octet {
@@ -23,7 +22,7 @@ struct ReadJob {
   TopoDS_Shape shape;  ///< used when it is not null
   ReadOptions options;
   /// Numbers as read of pairs of faces that touch, to be imprinted on each other.
-  std::vector<std::array<int, 2>> touching;
+  FaceNumberPairs touching;
 };
 
 /// The part. Where faces of one solid touch, it is read once more, and they are imprinted on each other.

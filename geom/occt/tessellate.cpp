@@ -15,14 +15,13 @@
 #include <algorithm>
 #include <map>
 #include <optional>
-#include <string_view>
 
 #include "base/error.h"
 #include "geom/occt/canonical.h"
 #include "geom/occt/deviation.h"
+#include "geom/occt/extents.h"
 #include "geom/occt/measure.h"
 #include "geom/occt/triangulate_boundary.h"
-#include "geom/own_axes.h"
 
 namespace octet {
 namespace {
@@ -197,76 +196,6 @@ void weld(const Numbering& numbering, ModelParts& parts) {
   for (int region = 1; region <= numbering.count(3); ++region) require_closed(region, parts);
   measure_deviation(welder.chain_parameters(), parts);
 }
-
-/// Its ends and places between.
-std::vector<Vec3> points_of(const ModelParts& parts, std::size_t edge) {
-  std::vector<Vec3> points = edge_samples(parts, edge);
-  points.insert(points.begin(), parts.vertices[parts.edges[edge].vertex[0]].point);
-  points.push_back(parts.vertices[parts.edges[edge].vertex[1]].point);
-  return points;
-}
-
-/// Of what the loops of a planar face enclose, by points on its edges.
-double planar_area(const ModelParts& parts, const ModelFace& face, const Vec3& normal) {
-  Vec3 twice = Vec3::Zero();
-  for (const FaceBoundary& side : face.boundary) {
-    const std::vector<Vec3> points = points_of(parts, static_cast<std::size_t>(side.edge));
-    const Vec3 origin = parts.vertices[parts.edges[face.boundary.front().edge].vertex[0]].point;
-    for (std::size_t i = 0; i + 1 < points.size(); ++i)
-      twice += side.sense * (points[i] - origin).cross(points[i + 1] - origin);
-  }
-  return 0.5 * std::abs(twice.dot(normal));
-}
-
-/// What there is to tell a part's own axes by before it has facets.
-Landmarks landmarks_of(const ModelParts& parts, const std::vector<Vec3>& points) {
-  Landmarks landmarks;
-  for (std::size_t f = 1; f < parts.faces.size(); ++f) {
-    if (std::string_view(parts.surfaces[f]->kind()) != "plane") continue;
-    const Vec3 normal = (parts.faces[f].reversed ? 1.0 : -1.0) * parts.surfaces[f]->normal(Vec2::Zero());
-    landmarks.add_plane(normal, planar_area(parts, parts.faces[f], normal));
-  }
-  const double share = 1.0 / static_cast<double>(points.size());
-  for (const Vec3& p : points) landmarks.centre += share * p;
-  for (const Vec3& p : points)
-    landmarks.second += share * (p - landmarks.centre) * (p - landmarks.centre).transpose();
-  for (std::size_t v = 1; v < parts.vertices.size(); ++v)
-    landmarks.vertices.push_back(parts.vertices[v].point);
-  for (const Vec3& p : points)
-    landmarks.diagonal = std::max(landmarks.diagonal, 2.0 * (p - landmarks.centre).norm());
-  return landmarks;
-}
-
-/// Sizes of boxes along the part's own axes: the same however it lies.
-class Extents {
- public:
-  explicit Extents(const ModelParts& parts) : parts_(parts) {
-    std::vector<Vec3> points;
-    for (std::size_t e = 1; e < parts.edges.size(); ++e) {
-      const std::vector<Vec3> own = points_of(parts, e);
-      points.insert(points.end(), own.begin(), own.end());
-    }
-    if (points.empty()) return;
-    axes_ = own_axes(landmarks_of(parts, points));
-    Box3 box;
-    for (const Vec3& p : points) box.add(axes_ * p);
-    diagonal_ = box.diagonal();
-  }
-
-  [[nodiscard]] double diagonal() const { return diagonal_; }
-  [[nodiscard]] double diagonal_of(const ModelRegion& region) const {
-    Box3 box;
-    for (const int face : region.faces)
-      for (const FaceBoundary& side : parts_.faces[face].boundary)
-        for (const Vec3& p : points_of(parts_, static_cast<std::size_t>(side.edge))) box.add(axes_ * p);
-    return box.diagonal();
-  }
-
- private:
-  const ModelParts& parts_;
-  Eigen::Matrix3d axes_ = Eigen::Matrix3d::Identity();
-  double diagonal_ = 0.0;
-};
 
 /// By face tag. What suits an assembly may be larger than a screw in it, whose holes would vanish.
 std::vector<double> default_deflections(const ModelParts& parts, const Extents& extents) {

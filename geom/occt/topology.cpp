@@ -213,12 +213,8 @@ void make_geometry(const Numbering& numbering, ModelParts& parts) {
   parts.curves.resize(parts.edges.size());
   parts.surfaces.resize(parts.faces.size());
   parts.trims.resize(parts.faces.size());
-  for (int tag = 1; tag <= numbering.count(1); ++tag) {
-    if (parts.edges[tag].use == EdgeUse::kDegenerate) continue;
-    parts.curves[tag] = make_curve(numbering.edge(tag));
-    if (!parts.curves[tag]->point(parts.edges[tag].t0).allFinite())
-      throw ModelError(fmt::format("Edge {} has a curve whose numbers are none", tag), model_edge(tag));
-  }
+  for (int tag = 1; tag <= numbering.count(1); ++tag)
+    if (parts.edges[tag].use != EdgeUse::kDegenerate) parts.curves[tag] = make_curve(numbering.edge(tag));
   for (int tag = 1; tag <= numbering.count(2); ++tag) {
     parts.surfaces[tag] = make_surface(numbering.face(tag), tag);
     if (!has_extent(numbering.face(tag), *parts.surfaces[tag]))

@@ -37,7 +37,7 @@ TEST(WorkMesh, StarHoldsEveryTetrahedronAtTheVertexOnce) {
       return std::find(v.begin(), v.end(), static_cast<Mesh::Index>(i)) != v.end();
     });
     EXPECT_EQ(static_cast<std::ptrdiff_t>(tets.size()), degree);
-    EXPECT_FALSE(work.frozen[VertexId(i)]);
+    EXPECT_FALSE(work.frozen(VertexId(i)));
   }
 }
 
@@ -84,8 +84,8 @@ TEST(WorkMesh, FreezesVerticesWhereTetrahedraTouchByAnEdgeOnly) {
   }
   const WorkMesh work = to_work_mesh(mesh);
   EXPECT_EQ(check_work_mesh(work), "");
-  EXPECT_TRUE(work.frozen[VertexId(0)] && work.frozen[VertexId(1)]);
-  EXPECT_FALSE(work.frozen[VertexId(2)]);
+  EXPECT_TRUE(work.frozen(VertexId(0)) && work.frozen(VertexId(1)));
+  EXPECT_FALSE(work.frozen(VertexId(2)));
 }
 
 TEST(Cavity, RefusesWhatWouldBreakTheMeshAndLeavesItUntouched) {
