@@ -5,6 +5,7 @@
 // the corner that turns least the wrong way is cut off all the same. What is lost is shape, never a border
 // side.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <deque>
 #include <limits>
@@ -154,7 +155,11 @@ class Clipper {
         if (a == p || a == q || b == p || b == q) continue;
         if (cross_or_touch(p, q, a, b)) return false;
       }
-    return true;
+    // A bridge may be nearer than what was the nearest corner before its hole was joined.
+    return std::none_of(bridge_ends_.begin(), bridge_ends_.end(), [&](const std::array<Vec2, 2>& bridge) {
+      const auto& [a, b] = bridge;
+      return a != p && a != q && b != p && b != q && cross_or_touch(p, q, a, b);
+    });
   }
 
   /// A bridge from the hole's rightmost corner to the nearest corner of the polygon that it sees; where it
@@ -193,6 +198,7 @@ class Clipper {
     ring_[from_copy].next = to_copy;
     ring_[to_copy].previous = from_copy;
     ++bridges_;
+    bridge_ends_.push_back({at(to), at(from)});
     ring_[to].bridge = ring_[from_copy].bridge = bridges_;
     ring_[to].owner = ring_[from_copy].owner = PlanarTriangulation::kNone;
   }
@@ -327,6 +333,7 @@ class Clipper {
   const std::vector<Vec2>& points_;
   std::vector<const Loop*> all_loops_;
   std::vector<Corner> ring_;
+  std::vector<std::array<Vec2, 2>> bridge_ends_;
   Buckets buckets_;
   std::vector<std::pair<std::int32_t, int>> half_;
   std::int32_t first_ = 0;

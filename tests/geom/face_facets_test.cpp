@@ -115,6 +115,17 @@ TEST(PlanarTriangulation, LeavesAHundredHolesOpen) {
   expect_triangulated(loops, 100.0 - 100.0 * polygon_area(0.45, 12), true);
 }
 
+/// The bridge from the square goes to the notch, past the round hole; that from the round hole must not cross
+/// it on its way to the square.
+TEST(PlanarTriangulation, BridgesOfHolesDoNotCross) {
+  FaceLoops loops;
+  add_loop(loops, {{4.4, -35}, {4.4, 35}, {-4.4, 35}, {-4.4, 0.43}, {-4.7, 0}, {-4.4, -0.43}, {-4.4, -35}});
+  add_loop(loops, {{1.6, 12.4}, {1, 12.4}, {1, 13}, {1.6, 13}});
+  add_loop(loops, circle({-2.83, 0}, 0.5, 8, -1));
+  const double area = 8.8 * 70 + 0.3 * 0.43 - 0.36 - 4.0 * 0.25 * std::sin(kPi / 4.0);
+  expect_triangulated(loops, area, true);
+}
+
 TEST(PlanarTriangulation, TakesAHoleThatTouchesItsOuterLoopInACorner) {
   FaceLoops loops;
   add_loop(loops, {{0, 0}, {4, 0}, {4, 4}, {0, 4}});
