@@ -16,6 +16,13 @@ void add_reading_options(CLI::App& command, ReadOptions& reading) {
       ->type_name("DISTANCE")
       ->check(CLI::PositiveNumber);
   command
+      .add_option(
+          "--defeature", reading.smallest_feature,
+          "Take away edges shorter, and faces, spikes and slits narrower than this (mm) where the part "
+          "stays closed, and list them (default: what rounding leaves)")
+      ->type_name("LENGTH")
+      ->check(CLI::PositiveNumber);
+  command
       .add_option("--read-time-limit", reading.time_limit,
                   "Refuse a part whose reading takes more seconds; 0: no limit (default: 300)")
       ->type_name("SECONDS")

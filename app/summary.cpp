@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace octet {
@@ -27,6 +28,18 @@ std::string fault_lines(const Model& model, const std::vector<Fault>& faults) {
     text += fmt::format("    {}\n", fault_line(model, faults[i]));
   if (faults.size() > kShownFaults)
     text += fmt::format("    and {} more (--report lists all)\n", faults.size() - kShownFaults);
+  return text;
+}
+
+/// What reading changed in the part, or could not.
+std::string note_lines(const Model& model) {
+  constexpr std::size_t kShownNotes = 6;
+  const std::vector<std::string>& notes = model.notes();
+  std::string text;
+  for (std::size_t i = 0; i < std::min(kShownNotes, notes.size()); ++i)
+    text += fmt::format("  {:<9}{}\n", "note", notes[i]);
+  if (notes.size() > kShownNotes)
+    text += fmt::format("  {:<9}and {} more (octet info lists all)\n", "note", notes.size() - kShownNotes);
   return text;
 }
 
@@ -63,6 +76,7 @@ std::string mesh_summary(const Model& model, const MeshReport& report) {
   text += measure_line("volume", "mm^3", report.volume, report.cad_volume);
   text += measure_line("area", "mm^2", report.area, report.cad_area);
   text += times_line(report.times);
+  text += note_lines(model);
   if (!report.warnings.empty())
     text += fmt::format("  warnings {}: the part is open there by more than a twentieth of the size\n{}",
                         report.warnings.size(), fault_lines(model, report.warnings));

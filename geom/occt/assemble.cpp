@@ -135,7 +135,7 @@ AssembledPart assemble(const CadDocument& document, const ReadOptions& options,
   const ShapeMaps as_read(document.shape);
   log("collecting the solids");
   SolidSet healed = collect_solids(document.shape, as_read, options.sew_tolerance);
-  heal(as_read, options.sew_tolerance, touching, log, healed);
+  heal(as_read, {options.sew_tolerance, options.smallest_feature}, touching, log, healed);
   JoinedSolids joined = join_solids(as_read, healed, options, log);
   ModelParts& parts = joined.part.parts;
   parts.unit = document.unit;

@@ -10,14 +10,17 @@
 #include <BRep_Tool.hxx>
 #include <Geom2d_Curve.hxx>
 #include <Geom_Curve.hxx>
+#include <NCollection_DataMap.hxx>
 #include <Precision.hxx>
 #include <ShapeAnalysis_Surface.hxx>
 #include <ShapeBuild_ReShape.hxx>
 #include <ShapeFix_Edge.hxx>
 #include <ShapeFix_Shell.hxx>
 #include <ShapeFix_Wire.hxx>
+#include <TCollection_AsciiString.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_MapOfShape.hxx>
+#include <TopTools_ShapeMapHasher.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
@@ -28,9 +31,11 @@
 
 #include "geom/occt/edge_uses.h"
 #include "geom/occt/folds.h"
+#include "geom/occt/hairlines.h"
 #include "geom/occt/imprint.h"
 #include "geom/occt/misplaced_curves.h"
 #include "geom/occt/sew.h"
+#include "geom/occt/shape_box.h"
 #include "geom/occt/short_edges.h"
 #include "geom/occt/strips.h"
 #include "geom/occt/touched_edges.h"
@@ -39,10 +44,14 @@
 namespace octet {
 namespace {
 
+/// Of the diagonal: spikes and slits so narrow are closed whatever is asked. Nothing of the part's volume
+/// goes with them, and its mesh would have flat elements all along them.
+constexpr double kHairlineShare = 1e-6;
+
 class Healer {
  public:
-  Healer(const ShapeMaps& as_read, double sew_tolerance, const StageLog& log, SolidSet& set)
-      : as_read_(as_read), sew_tolerance_(sew_tolerance), log_(log), set_(set) {}
+  Healer(const ShapeMaps& as_read, const HealOptions& options, const StageLog& log, SolidSet& set)
+      : as_read_(as_read), options_(options), log_(log), set_(set) {}
 
   void run(const FaceNumberPairs& touching) {
     for (std::size_t i = 0; i < set_.solids.size(); ++i) {
@@ -52,9 +61,11 @@ class Healer {
       add_pole_edges(set_.solids[i]);
       turn_faces(set_.solids[i]);
       close(set_.solids[i]);
+      take_spots(set_.solids[i]);
       join_strips(set_.solids[i]);
       take_short_edges(set_.solids[i]);
       split_edges(set_.solids[i]);
+      take_hairlines(set_.solids[i]);
       take_folds(set_.solids[i]);
       turn_inside_out(set_.solids[i]);
     }
@@ -77,7 +88,26 @@ class Healer {
     const int number = as_read_.of[dim].FindIndex(shape);
     return number > 0 ? fmt::format("{} {}", kind, number) : fmt::format("a new {}", kind);
   }
-  [[nodiscard]] std::string name_of(const TopoDS_Shape& solid) const { return numbered("Solid", 3, solid); }
+  [[nodiscard]] std::string name_of(const TopoDS_Shape& solid) const {
+    return names_.IsBound(solid) ? names_.Find(solid).ToCString() : numbered("Solid", 3, solid);
+  }
+
+  [[nodiscard]] double smallest_of(const TopoDS_Shape& solid) const {
+    return std::max(options_.smallest_feature, kVanishingShare * diagonal_of(box_of(solid)));
+  }
+  [[nodiscard]] std::string smallest_name() const {
+    return options_.smallest_feature > 0.0 ? fmt::format("{:.4g} mm", options_.smallest_feature)
+                                           : "rounding leaves";
+  }
+
+  [[nodiscard]] std::string listed(const char* kind, int dim, const std::vector<TopoDS_Shape>& shapes) const {
+    constexpr std::size_t kMost = 20;
+    std::string list;
+    for (std::size_t i = 0; i < std::min(kMost, shapes.size()); ++i)
+      list += (i > 0 ? ", " : "") + numbered(kind, dim, shapes[i]);
+    if (shapes.size() > kMost) list += fmt::format(" and {} more", shapes.size() - kMost);
+    return list;
+  }
 
   void add_curves(const TopoDS_Shape& solid) {
     for (TopExp_Explorer faces(solid, TopAbs_FACE); faces.More(); faces.Next()) {
@@ -148,6 +178,7 @@ class Healer {
 
   /// A new solid in the place of `solid`, of the same orientation.
   void replace(TopoDS_Shape& solid, const TopoDS_Shape& by) {
+    names_.Bind(by, TCollection_AsciiString(name_of(solid).c_str()));
     set_.history->AddModified(solid, by);
     solid = by;
   }
@@ -179,7 +210,7 @@ class Healer {
     if (wrong == 0) return;
     std::vector<TopoDS_Shape> faces;
     for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next()) faces.push_back(it.Current());
-    const Sewn sewn = sew_faces(faces, sew_tolerance_);
+    const Sewn sewn = sew_faces(faces, options_.sew_tolerance);
     if (sewn.solids.size() != 1 || sewn.free_edges > 0) return;
     set_.notes.push_back(
         fmt::format("{} was open at {} and was closed by sewing its faces with tolerance {:.3g} mm",
@@ -189,32 +220,43 @@ class Healer {
   }
 
   void join_strips(TopoDS_Shape& solid) {
-    const StripsMerged merged = merge_strips(solid);
+    const StripsMerged merged = merge_strips(solid, smallest_of(solid));
     if (merged.faces.empty() || merged.solid.ShapeType() != TopAbs_SOLID) return;
     if (edge_uses(solid).first(&Uses::open) == 0 && edge_uses(merged.solid).first(&Uses::open) != 0) return;
     set_.notes.push_back(fmt::format(
-        "{} face(s) of {} are no wider than the tolerance of their sides, or than rounding leaves, "
-        "and became edges, the first is {}",
-        merged.faces.size(), name_of(solid), numbered("Face", 2, merged.faces.front())));
+        "{} face(s) of {} are no wider than the tolerance of their sides, or than {}, and became edges: {}",
+        merged.faces.size(), name_of(solid), smallest_name(), listed("Face", 2, merged.faces)));
     set_.history->Merge(merged.history);
     replace(solid, merged.solid);
     add_curves(solid);
   }
 
+  void take_spots(TopoDS_Shape& solid) {
+    const StripsMerged shrunk = shrink_spots(solid, smallest_of(solid));
+    if (shrunk.faces.empty() || shrunk.solid.ShapeType() != TopAbs_SOLID) return;
+    if (edge_uses(solid).first(&Uses::open) == 0 && edge_uses(shrunk.solid).first(&Uses::open) != 0) return;
+    set_.notes.push_back(fmt::format("{} face(s) of {} are no larger than {} and became vertices: {}",
+                                     shrunk.faces.size(), name_of(solid), smallest_name(),
+                                     listed("Face", 2, shrunk.faces)));
+    set_.history->Merge(shrunk.history);
+    replace(solid, shrunk.solid);
+    add_curves(solid);
+  }
+
   void take_short_edges(TopoDS_Shape& solid) {
-    const ShortEdgesDropped dropped = drop_short_edges(solid);
+    const ShortEdgesDropped dropped = drop_short_edges(solid, smallest_of(solid));
     if (dropped.edges.empty() || dropped.solid.ShapeType() != TopAbs_SOLID) return;
     if (edge_uses(solid).first(&Uses::open) == 0 && edge_uses(dropped.solid).first(&Uses::open) != 0) return;
-    set_.notes.push_back(fmt::format(
-        "{} edge(s) of {} are no longer than rounding leaves and became vertices, the first is {}",
-        dropped.edges.size(), name_of(solid), numbered("Edge", 1, dropped.edges.front())));
+    set_.notes.push_back(fmt::format("{} edge(s) of {} are no longer than {} and became vertices: {}",
+                                     dropped.edges.size(), name_of(solid), smallest_name(),
+                                     listed("Edge", 1, dropped.edges)));
     set_.history->Merge(dropped.history);
     replace(solid, dropped.solid);
     add_curves(solid);
   }
 
   void split_edges(TopoDS_Shape& solid) {
-    const TouchedEdgesSplit split = split_touched_edges(solid);
+    const TouchedEdgesSplit split = split_touched_edges(solid, smallest_of(solid));
     if (split.edges.empty() || split.solid.ShapeType() != TopAbs_SOLID) return;
     if (edge_uses(solid).first(&Uses::open) == 0 && edge_uses(split.solid).first(&Uses::open) != 0) return;
     set_.notes.push_back(fmt::format(
@@ -222,6 +264,19 @@ class Healer {
         split.edges.size(), name_of(solid), numbered("Edge", 1, split.edges.front())));
     set_.history->Merge(split.history);
     replace(solid, split.solid);
+  }
+
+  void take_hairlines(TopoDS_Shape& solid) {
+    const HairlinesClosed closed =
+        close_hairlines(solid, std::max(smallest_of(solid), kHairlineShare * diagonal_of(box_of(solid))));
+    if (closed.edges.empty() || closed.solid.ShapeType() != TopAbs_SOLID) return;
+    if (edge_uses(solid).first(&Uses::open) == 0 && edge_uses(closed.solid).first(&Uses::open) != 0) return;
+    set_.notes.push_back(fmt::format(
+        "{} spike(s) or slit(s) of faces of {} are no wider than {} and were closed, where were: {}",
+        closed.edges.size(), name_of(solid), smallest_name(), listed("Edge", 1, closed.edges)));
+    set_.history->Merge(closed.history);
+    replace(solid, closed.solid);
+    add_curves(solid);
   }
 
   void take_folds(TopoDS_Shape& solid) {
@@ -286,7 +341,9 @@ class Healer {
   }
 
   const ShapeMaps& as_read_;
-  double sew_tolerance_;
+  HealOptions options_;
+  NCollection_DataMap<TopoDS_Shape, TCollection_AsciiString, TopTools_ShapeMapHasher>
+      names_;  ///< of solids that took the places of others
   const StageLog& log_;
   SolidSet& set_;
   int curves_ = 0, pcurves_ = 0, pole_edges_ = 0;
@@ -299,9 +356,9 @@ std::string inside_out_note(const std::string& solid) {
   return solid + " was turned inside out (it filled all space but a hole) and was turned back";
 }
 
-void heal(const ShapeMaps& as_read, double sew_tolerance, const FaceNumberPairs& touching,
+void heal(const ShapeMaps& as_read, const HealOptions& options, const FaceNumberPairs& touching,
           const StageLog& log, SolidSet& set) {
-  Healer(as_read, sew_tolerance, log, set).run(touching);
+  Healer(as_read, options, log, set).run(touching);
 }
 
 }  // namespace octet

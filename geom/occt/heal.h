@@ -13,18 +13,28 @@ namespace octet {
 /// Numbers as read of pairs of faces that touch.
 using FaceNumberPairs = std::vector<std::array<int, 2>>;
 
+struct HealOptions {
+  double sew_tolerance = 0.0;     ///< mm; 0: growing ones
+  double smallest_feature = 0.0;  ///< mm; at least kVanishingShare of the solid's diagonal
+};
+
+/// Of a solid's diagonal: what is no longer or wider is what a modeller's or a translator's rounding left.
+inline constexpr double kVanishingShare = 1e-7;
+
 /// Nothing is touched that is right, and each repair is one line in set.notes with its count and the first
 /// entity, numbered as read:
 ///  1. edges without a curve in space, and edges without a curve on a face, get one;
 ///  2. a solid whose faces are not turned alike: they are turned as their neighbours;
-///  3. an open solid: its faces are sewn, with `sew_tolerance` (0: growing ones), where that closes it;
-///  4. faces no wider than the tolerance of their sides become edges, faces folded flat onto a neighbour go;
+///  3. an open solid: its faces are sewn, with the tolerance (0: growing ones), where that closes it;
+///  4. faces no wider than the tolerance of their sides or the smallest feature become edges, edges no longer
+///     than that vertices; edges that a vertex of their face lies on are split, spikes and slits of loops no
+///     wider are closed, faces folded flat onto a neighbour go;
 ///  5. where there are several, a solid turned inside out, so that it fills all space but its hole, is turned
 ///     before they are fused (a single one shows by its facets, which is surer);
 ///  6. edges and vertices of voids that touch the outside of their solid become those of the outside;
 ///  7. the faces of the pairs given are imprinted on each other.
 /// What remains open or damaged is left for the later stages to name.
-void heal(const ShapeMaps& as_read, double sew_tolerance, const FaceNumberPairs& touching,
+void heal(const ShapeMaps& as_read, const HealOptions& options, const FaceNumberPairs& touching,
           const StageLog& log, SolidSet& set);
 
 /// What the notes say of a solid that was turned.

@@ -16,6 +16,10 @@ struct ReadOptions {
   /// Faces that are loose, or leave a solid open, are sewn within this distance (mm). 0: by growing ones, up
   /// to a ten-thousandth of the faces' diagonal.
   double sew_tolerance = 0.0;
+  /// Edges no longer, and faces, spikes and slits no wider than this (mm) are taken away where that leaves
+  /// the part closed, and listed in the model's notes. What rounding leaves (1e-7 of a solid's diagonal)
+  /// always is.
+  double smallest_feature = 0.0;
   /// OCCT may hang, crash or take all memory on a damaged part: it works in a child process, so that this one
   /// gets an InputError instead. False: in this process and without limits (for debuggers).
   bool isolate = true;

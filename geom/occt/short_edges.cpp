@@ -15,8 +15,6 @@
 #include <TopoDS_Vertex.hxx>
 #include <gp_Pnt.hxx>
 
-#include "geom/occt/shape_box.h"
-#include "geom/occt/strips.h"
 #include "geom/occt/sub_shapes.h"
 
 namespace octet {
@@ -39,9 +37,8 @@ bool is_short(const TopoDS_Edge& edge, double length) {
 
 }  // namespace
 
-ShortEdgesDropped drop_short_edges(const TopoDS_Shape& solid) {
+ShortEdgesDropped drop_short_edges(const TopoDS_Shape& solid, double length) {
   ShortEdgesDropped result{solid, new BRepTools_History, {}};
-  const double length = kVanishingShare * diagonal_of(box_of(solid));
   const TopTools_IndexedMapOfShape edges = sub_shapes(solid, TopAbs_EDGE);
   for (int i = 1; i <= edges.Extent(); ++i)
     if (is_short(TopoDS::Edge(edges(i)), length)) result.edges.push_back(edges(i));

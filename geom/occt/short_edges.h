@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Edges that are no longer than what rounding leaves.
+// Edges too short to be meant.
 #pragma once
 
 #include <BRepTools_History.hxx>
@@ -15,9 +15,8 @@ struct ShortEdgesDropped {
   std::vector<TopoDS_Shape> edges;  ///< that are gone; none: `solid` is the one given
 };
 
-/// Drops every edge no longer than kVanishingShare of the diagonal (geom/occt/strips.h); its two vertices
-/// become one. Nothing is done where a face would go with it. Whether the result is closed is for the caller
-/// to test.
-[[nodiscard]] ShortEdgesDropped drop_short_edges(const TopoDS_Shape& solid);
+/// Drops every edge no longer than `length` (mm); its two vertices become one. Nothing is done where a face
+/// would go with it. Whether the result is closed is for the caller to test.
+[[nodiscard]] ShortEdgesDropped drop_short_edges(const TopoDS_Shape& solid, double length);
 
 }  // namespace octet

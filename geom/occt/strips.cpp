@@ -20,7 +20,6 @@
 #include <algorithm>
 #include <array>
 
-#include "geom/occt/shape_box.h"
 #include "geom/occt/sub_shapes.h"
 
 namespace octet {
@@ -76,11 +75,18 @@ double strip_width(const TopoDS_Face& face, double least) {
   return own == width || !sides_within(face, own)[0].IsNull() ? own : 0.0;
 }
 
+bool is_spot(const TopoDS_Face& face, double width) {
+  try {
+    return ShapeAnalysis_CheckSmallFace().CheckSpotFace(face, width);
+  } catch (const Standard_Failure&) {
+    return false;
+  }
+}
+
 }  // namespace
 
-StripsMerged merge_strips(const TopoDS_Shape& solid) {
+StripsMerged merge_strips(const TopoDS_Shape& solid, double least) {
   StripsMerged result{solid, new BRepTools_History, {}};
-  const double least = kVanishingShare * diagonal_of(box_of(solid));
   double width = 0.0;
   std::vector<TopoDS_Face> others;
   for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next()) {
@@ -102,6 +108,21 @@ StripsMerged merge_strips(const TopoDS_Shape& solid) {
   fix.SetContext(context);
   fix.SetPrecision(width);
   result.solid = fix.FixStripFace();
+  result.history = context->History();
+  return result;
+}
+
+StripsMerged shrink_spots(const TopoDS_Shape& solid, double width) {
+  StripsMerged result{solid, new BRepTools_History, {}};
+  for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next())
+    if (is_spot(TopoDS::Face(it.Current()), width)) result.faces.push_back(it.Current());
+  if (result.faces.empty()) return result;
+  const Handle(ShapeBuild_ReShape) context = new ShapeBuild_ReShape;
+  ShapeFix_FixSmallFace fix;
+  fix.Init(solid);
+  fix.SetContext(context);
+  fix.SetPrecision(width);
+  result.solid = fix.FixSpotFace();
   result.history = context->History();
   return result;
 }

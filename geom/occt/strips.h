@@ -9,9 +9,6 @@
 
 namespace octet {
 
-/// Of a solid's diagonal: what is no longer or wider is what a modeller's or a translator's rounding left.
-inline constexpr double kVanishingShare = 1e-7;
-
 struct StripsMerged {
   TopoDS_Shape solid;
   Handle(BRepTools_History) history;
@@ -19,9 +16,12 @@ struct StripsMerged {
 };
 
 /// Merges the two sides of every face that is no wider than twice the tolerance of the vaguer of them, or
-/// than kVanishingShare: such a side may run anywhere in the face, and where it crosses the other no surface
+/// than `least` (mm): such a side may run anywhere in the face, and where it crosses the other no surface
 /// is between them. None is merged where OCCT, which does it, would merge faces that are as narrow but exact.
 /// Whether the result is closed is for the caller to test.
-[[nodiscard]] StripsMerged merge_strips(const TopoDS_Shape& solid);
+[[nodiscard]] StripsMerged merge_strips(const TopoDS_Shape& solid, double least);
+
+/// Makes a vertex of every face whose edges are all within `width` (mm) of one place. As above.
+[[nodiscard]] StripsMerged shrink_spots(const TopoDS_Shape& solid, double width);
 
 }  // namespace octet

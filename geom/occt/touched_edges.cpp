@@ -84,7 +84,8 @@ TopoDS_Wire pieces_of(const TopoDS_Edge& edge, const std::vector<Touch>& touches
 /// The touches of each edge of the solid by the vertices of its faces.
 class Search {
  public:
-  explicit Search(const TopoDS_Shape& solid) : edges_(sub_shapes(solid, TopAbs_EDGE)), boxes_(boxes()) {
+  Search(const TopoDS_Shape& solid, double width)
+      : width_(width), edges_(sub_shapes(solid, TopAbs_EDGE)), boxes_(boxes()) {
     const TopTools_IndexedMapOfShape faces = sub_shapes(solid, TopAbs_FACE);
     for (int i = 1; i <= faces.Extent(); ++i) look_at(faces(i));
   }
@@ -108,7 +109,7 @@ class Search {
       const int index = edges_.FindIndex(edge);
       for (int v = 1; v <= vertices.Extent(); ++v) {
         const TopoDS_Vertex& vertex = TopoDS::Vertex(vertices(v));
-        const double tolerance = std::max(BRep_Tool::Tolerance(vertex), BRep_Tool::Tolerance(edge));
+        const double tolerance = std::max({width_, BRep_Tool::Tolerance(vertex), BRep_Tool::Tolerance(edge)});
         Bnd_Box ball;
         ball.Add(BRep_Tool::Pnt(vertex));
         ball.Enlarge(tolerance);
@@ -127,15 +128,16 @@ class Search {
               [](const Touch& a, const Touch& b) { return a.parameter < b.parameter; });
   }
 
+  double width_;
   TopTools_IndexedMapOfShape edges_;
   std::vector<Bnd_Box> boxes_;
 };
 
 }  // namespace
 
-TouchedEdgesSplit split_touched_edges(const TopoDS_Shape& solid) {
+TouchedEdgesSplit split_touched_edges(const TopoDS_Shape& solid, double width) {
   TouchedEdgesSplit result{solid, new BRepTools_History, {}};
-  const Search search(solid);
+  const Search search(solid, width);
   if (search.found.empty()) return result;
   const BRep_Builder builder;
   const Handle(BRepTools_ReShape) changes = new BRepTools_ReShape;

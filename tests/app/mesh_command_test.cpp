@@ -173,6 +173,22 @@ TEST(MeshCommand, NoFuseMeshesEachSolidByItself) {
   EXPECT_EQ(run_octet({"check", out.file("a.msh"), part}).exit_code, kExitIncomplete);
 }
 
+TEST(MeshCommand, DefeatureTakesNarrowFacesAwayAndSaysSo) {
+  const TemporaryDirectory out;
+  const std::string part = model_file("bugs/foot_under_round.step");
+  const auto whole = run_octet({"mesh", part, "-o", out.file("a.msh")});
+  ASSERT_EQ(whole.exit_code, kExitComplete) << whole.out << whole.err;
+  EXPECT_EQ(whole.out.find("became edges"), std::string::npos) << whole.out;
+  const auto run = run_octet({"mesh", part, "-o", out.file("b.msh"), "--defeature", "0.05"});
+  ASSERT_EQ(run.exit_code, kExitComplete) << run.out << run.err;
+  EXPECT_NE(run.out.find("or than 0.05 mm, and became edges: Face 13, Face 15"), std::string::npos)
+      << run.out;
+  EXPECT_LT(read_mesh(out.file("b.msh")).tets.size(), read_mesh(out.file("a.msh")).tets.size());
+  EXPECT_EQ(run_octet({"check", out.file("b.msh"), part, "--defeature", "0.05"}).exit_code, kExitComplete);
+  EXPECT_EQ(run_octet({"check", out.file("b.msh"), part}).exit_code, kExitIncomplete);
+  EXPECT_EQ(run_octet({"mesh", part, "-o", out.file("c.msh"), "--defeature", "-1"}).exit_code, kExitBadInput);
+}
+
 TEST(Help, NamesEveryExitCode) {
   for (const std::vector<std::string>& arguments :
        {std::vector<std::string>{"--help"}, {"mesh", "--help"}, {"info", "--help"}, {"check", "--help"}}) {
