@@ -109,12 +109,14 @@ class Search {
       const int index = edges_.FindIndex(edge);
       for (int v = 1; v <= vertices.Extent(); ++v) {
         const TopoDS_Vertex& vertex = TopoDS::Vertex(vertices(v));
-        const double tolerance = std::max({width_, BRep_Tool::Tolerance(vertex), BRep_Tool::Tolerance(edge)});
+        const double own = std::max(BRep_Tool::Tolerance(vertex), BRep_Tool::Tolerance(edge));
         Bnd_Box ball;
         ball.Add(BRep_Tool::Pnt(vertex));
-        ball.Enlarge(tolerance);
+        ball.Enlarge(std::max(own, width_));
         if (ball.IsOut(boxes_[static_cast<std::size_t>(index)])) continue;
-        if (const auto touch = touch_of(vertex, edge, tolerance)) add(index, *touch);
+        auto touch = touch_of(vertex, edge, own);
+        if (!touch && width_ > own) touch = touch_of(vertex, edge, width_);
+        if (touch) add(index, *touch);
       }
     }
   }
