@@ -72,6 +72,9 @@ void append_report(const Model& body, const MeshReport& part, MeshReport& report
   append_faults(body, part.faults, report.faults);
   append_faults(body, part.warnings, report.warnings);
   append_claims(body, part.acceptance, report.acceptance);
+  SizeShortfall shortfall = part.shortfall;
+  for (ShortEdge& edge : shortfall.shortest) edge.entity = whole_ref(body, edge.entity);
+  report.shortfall.add(shortfall);
   report.volume += part.volume;
   report.cad_volume += part.cad_volume;
   report.area += part.area;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/size_shortfall.h"
 #include "base/error.h"
 #include "base/fault.h"
 #include "base/observer.h"
@@ -48,6 +49,7 @@ struct MeshReport {
   double size = 0.0;  ///< the size used
   std::vector<Fault> faults;
   std::vector<Fault> warnings;  ///< what is a danger at this size though the mesh may be complete: wide gaps
+  SizeShortfall shortfall;
   QualitySummary quality;
   Acceptance acceptance;
   double volume = 0.0, cad_volume = 0.0;

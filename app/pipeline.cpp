@@ -18,6 +18,7 @@
 #include "app/narrow_gaps.h"
 #include "app/octant_sizes.h"
 #include "app/own_frame.h"
+#include "app/size_shortfall.h"
 #include "app/stage_clock.h"
 #include "app/target_elements.h"
 #include "classify/extract.h"
@@ -401,6 +402,9 @@ class Run {
     report.acceptance = accept_mesh(result_.mesh, part_);
     for (const Claim& claim : report.acceptance.claims)
       if (!claim.holds) report.faults.insert(report.faults.end(), claim.faults.begin(), claim.faults.end());
+    const Octree& asked = wish_ ? *wish_ : *tree_;
+    report.shortfall =
+        size_shortfall(result_.mesh, [&](const Vec3& p) { return asked.spacing_at(frame_.to_model(p)); });
     report.status =
         report.acceptance.holds() && report.faults.empty() ? MeshStatus::kComplete : MeshStatus::kIncomplete;
   }

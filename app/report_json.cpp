@@ -66,6 +66,18 @@ Json quality_json(const QualitySummary& quality) {
           {"mean_mean_ratio", quality.mean_mean_ratio}};
 }
 
+Json shortfall_json(const Model& model, const SizeShortfall& shortfall) {
+  Json worst = Json::array();
+  for (const ShortEdge& edge : shortfall.shortest)
+    worst.push_back({{"dim", edge.entity.dim},
+                     {"tag", edge.entity.tag},
+                     {"entity", model.describe(edge.entity)},
+                     {"place", vec_json(edge.place)},
+                     {"length", edge.length},
+                     {"asked", edge.asked}});
+  return {{"edges", shortfall.edges}, {"worst", worst}};
+}
+
 }  // namespace
 
 std::string mesh_report_json(const RunNames& names, const Model& model, const MeshReport& report) {
@@ -79,6 +91,7 @@ std::string mesh_report_json(const RunNames& names, const Model& model, const Me
   json["template_tets"] = report.template_tets;
   json["attribute_points"] = report.attribute_points;
   json["rounds"] = report.rounds;
+  json["shorter_than_asked"] = shortfall_json(model, report.shortfall);
   json["quality"] = quality_json(report.quality);
   json["volume"] = measure_json(report.volume, report.cad_volume);
   json["area"] = measure_json(report.area, report.cad_area);
@@ -88,6 +101,7 @@ std::string mesh_report_json(const RunNames& names, const Model& model, const Me
                              {"seconds", time.seconds},
                              {"cpu_seconds", time.cpu_seconds},
                              {"peak_bytes", time.peak_bytes}});
+  json["notes"] = model.notes();
   json["faults"] = faults_json(model, report.faults);
   json["warnings"] = faults_json(model, report.warnings);
   json["claims"] = claims_json(model, report.acceptance);

@@ -31,6 +31,17 @@ std::string fault_lines(const Model& model, const std::vector<Fault>& faults) {
   return text;
 }
 
+std::string shortfall_line(const Model& model, const SizeShortfall& shortfall) {
+  if (shortfall.shortest.empty()) return {};
+  const ShortEdge& worst = shortfall.shortest.front();
+  return fmt::format(
+      "  {:<9}{} edges of the boundary are shorter than a quarter of the size asked for there, since the "
+      "part "
+      "is so fine: the shortest {:.3g} mm of {:.3g}, on {} at {}\n",
+      "short", shortfall.edges, worst.length, worst.asked, model.describe(worst.entity),
+      place_text(worst.place));
+}
+
 /// What reading changed in the part, or could not.
 std::string note_lines(const Model& model) {
   constexpr std::size_t kShownNotes = 6;
@@ -72,6 +83,7 @@ std::string mesh_summary(const Model& model, const MeshReport& report) {
   std::string text = fmt::format("  size     {:.6g} mm\n", report.size);
   text += fmt::format("  mesh     {} tetrahedra, {} nodes, {} boundary triangles\n", report.tets,
                       report.nodes, report.triangles);
+  text += shortfall_line(model, report.shortfall);
   text += quality_line("quality", report.quality);
   text += measure_line("volume", "mm^3", report.volume, report.cad_volume);
   text += measure_line("area", "mm^2", report.area, report.cad_area);
