@@ -24,6 +24,8 @@ constexpr double kPolishAngle = 0.611;
 /// k: chasing to 20 left 18 to 25 degrees, to 28 left 28, to 32 left 30; to 35 costs four times as much and
 /// gains nothing.
 constexpr double kChaseAngle = 0.559;
+/// Angles larger than this (radians, 137.5 degrees) are worked on last, each by itself.
+constexpr double kObtuse = 2.40;
 
 /// The extreme angles of the mesh, and how many tetrahedra have one below the target.
 struct Extremes {
@@ -58,6 +60,16 @@ void chase(Workshop& shop, double target, double polish, Observer& observer) {
     if (pass > 0 && done == 0) break;
     relax_around(shop, target, polish);
   }
+  shop.thorough = false;
+}
+
+/// Works on the largest angles, which what came last has left or made.
+void open_obtuse(Workshop& shop, Observer& observer) {
+  constexpr int kObtusePasses = 3;
+  forget_failures(shop);
+  shop.thorough = true;
+  for (int pass = 0; pass < kObtusePasses; ++pass)
+    if (improve_obtuse(shop, kObtuse, observer) == 0) break;
   shop.thorough = false;
 }
 
@@ -107,6 +119,7 @@ FinalizeReport finalize(Mesh& mesh, const Model& model, const FinalizeOptions& o
         split_long_edges(shop, chased);
       }
       raise_mean(shop, polish, kLastSweeps, observer);
+      open_obtuse(shop, observer);
       break;
   }
   Extremes after = extremes(shop.mesh, options.target_dihedral);

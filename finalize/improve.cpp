@@ -16,6 +16,7 @@
 #include "finalize/shape.h"
 #include "finalize/smooth.h"
 #include "finalize/split.h"
+#include "mesh/quality.h"
 
 namespace octet {
 namespace {
@@ -274,6 +275,37 @@ std::size_t improve_worst_first(Workshop& shop, double goal, Observer& observer)
     for (const TetId t : shop.made) {
       if (falls_short(shop, t, goal)) queue.push({mesh.quality[t], t});
     }
+  }
+  return done;
+}
+
+std::size_t improve_obtuse(Workshop& shop, double limit, Observer& observer) {
+  const WorkMesh& mesh = shop.mesh;
+  const double goal = shape_of_angle(limit);
+  const auto angle = [&](TetId t) {
+    return dihedral_range(mesh.point(t, 0), mesh.point(t, 1), mesh.point(t, 2), mesh.point(t, 3)).largest;
+  };
+  std::priority_queue<Candidate> queue;
+  const auto look_at = [&](TetId t) {
+    // The shape is no more than the squared sine of any of the angles.
+    if (!mesh.alive(t) || mesh.quality[t] >= goal || !touches_boundary(mesh, t)) return;
+    if (const double largest = angle(t); largest > limit) queue.push({-largest, t});
+  };
+  for (std::size_t i = 0; i < mesh.tets.size(); ++i) look_at(TetId(i));
+  std::size_t done = 0, taken = 0;
+  while (!queue.empty() && !budget_spent(shop)) {
+    const Candidate candidate = queue.top();
+    queue.pop();
+    if (!mesh.alive(candidate.tet) || -angle(candidate.tet) != candidate.quality) continue;
+    if (taken++ % 64 == 0 && observer.cancelled()) throw Cancelled();
+    if (is_hopeless(shop, candidate.tet)) continue;
+    if (!improve_tet(shop, candidate.tet, goal, Effort::kFull)) {
+      note_failure(shop, candidate.tet);
+      continue;
+    }
+    ++done;
+    note_change(shop);
+    for (const TetId t : std::vector<TetId>(shop.made)) look_at(t);
   }
   return done;
 }

@@ -28,6 +28,10 @@ bool improve_tet(Workshop& shop, TetId t, double goal, Effort effort);
 /// work budget is spent.
 std::size_t improve_worst_first(Workshop& shop, double goal, Observer& observer);
 
+/// The same for tetrahedra with a dihedral angle above `limit` (radians), for which `shape` says little:
+/// their neighbours' small angles weigh as much.
+std::size_t improve_obtuse(Workshop& shop, double limit, Observer& observer);
+
 /// Smooths everything near the tetrahedra below `goal`, towards `wish`: what could not be bettered by itself
 /// may have room then.
 void relax_around(Workshop& shop, double goal, double wish);
