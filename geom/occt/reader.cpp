@@ -138,6 +138,52 @@ std::string loss_of(const Model& model, const Model& other) {
   return {};
 }
 
+/// The first face that lies far off its own facets for what was taken away at its borders, 0: none.
+int spoiled_face(const Model& model, double smallest_feature) {
+  constexpr double kFar = 5.0;
+  constexpr double kFacetShare = 1.0 / 2000.0;  // of the diagonal: what facets keep to
+  const double most = kFar * std::max(smallest_feature, kFacetShare * model.diagonal());
+  for (int face = 1; face <= model.count(2); ++face)
+    if (model.facets().deviation[static_cast<std::size_t>(face)] > most) return face;
+  return 0;
+}
+
+using Clock = std::chrono::steady_clock;
+
+/// What is left of a time limit in seconds, 0: none; a moment at least, for 0 would be no limit.
+double left_of(double limit, Clock::time_point begin) {
+  constexpr double kMoment = 0.1;
+  return limit > 0.0 ? std::max(kMoment, limit - std::chrono::duration<double>(Clock::now() - begin).count())
+                     : 0.0;
+}
+
+/// With less taken away, where all that was asked for would spoil a face.
+Model read_defeatured(ReadJob& job) {
+  constexpr int kHalvings = 3;
+  double& smallest = job.options.smallest_feature;
+  const double asked = smallest, limit = job.options.time_limit;
+  const Clock::time_point begin = Clock::now();
+  for (int tries = 0;; ++tries) {
+    Model model(read_job(job));
+    const int face = smallest > 0.0 ? spoiled_face(model, smallest) : 0;
+    if (face == 0) {
+      if (smallest == asked) return model;
+      ModelParts parts = model.parts();
+      parts.notes.push_back(
+          smallest > 0.0
+              ? fmt::format("features smaller than {:.4g} mm cannot be taken away without spoiling a face; "
+                            "those smaller than {:.4g} mm were",
+                            asked, smallest)
+              : fmt::format("features smaller than {:.4g} mm, or an eighth of that, cannot be taken away "
+                            "without spoiling a face; none were",
+                            asked));
+      return Model(std::move(parts));
+    }
+    smallest = tries < kHalvings ? 0.5 * smallest : 0.0;
+    job.options.time_limit = left_of(limit, begin);
+  }
+}
+
 }  // namespace
 
 std::string reader_version() { return "Octet " OCTET_VERSION " with OCCT " OCC_VERSION_COMPLETE; }
@@ -167,14 +213,12 @@ ModelParts read_job(const ReadJob& job) {
 }
 
 Model read_model(ReadJob job) {
-  using Clock = std::chrono::steady_clock;
   const Clock::time_point begin = Clock::now();
-  Model model(read_job(job));
+  const double limit = job.options.time_limit;
+  Model model = read_defeatured(job);
   job.touching = numbers_of(touches_without_crossings(model), model);
   if (job.touching.empty()) return model;
-  double& limit = job.options.time_limit;
-  if (limit > 0.0)  // a moment at least: 0 would be no limit
-    limit = std::max(0.1, limit - std::chrono::duration<double>(Clock::now() - begin).count());
+  job.options.time_limit = left_of(limit, begin);
   std::string loss;
   try {
     Model imprinted(read_job(job));

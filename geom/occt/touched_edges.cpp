@@ -115,7 +115,9 @@ class Search {
         ball.Enlarge(std::max(own, width_));
         if (ball.IsOut(boxes_[static_cast<std::size_t>(index)])) continue;
         auto touch = touch_of(vertex, edge, own);
-        if (!touch && width_ > own) touch = touch_of(vertex, edge, width_);
+        // What is beside a seam is no nearer to an edge of the mesh.
+        if (!touch && width_ > own && !BRep_Tool::IsClosed(edge, TopoDS::Face(face)))
+          touch = touch_of(vertex, edge, width_);
         if (touch) add(index, *touch);
       }
     }

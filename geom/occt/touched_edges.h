@@ -16,9 +16,9 @@ struct TouchedEdgesSplit {
 };
 
 /// Splits every edge that a vertex of one of its faces lies on: nearer than the tolerances of the two or than
-/// `width` (mm), though the edge neither ends there nor near. The pieces share the vertex. To the file the
-/// face is pinched to a point there, which no mesh shows whose edges pass each other. Whether the result is
-/// closed is for the caller to test.
+/// `width` (mm; seams by the tolerances alone), though the edge neither ends there nor near. The pieces share
+/// the vertex. To the file the face is pinched to a point there, which no mesh shows whose edges pass each
+/// other. Whether the result is closed is for the caller to test.
 [[nodiscard]] TouchedEdgesSplit split_touched_edges(const TopoDS_Shape& solid, double width);
 
 }  // namespace octet
