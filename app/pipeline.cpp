@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "app/apart.h"
@@ -328,14 +330,22 @@ class Run {
     finalize_options.fixed_vertices = fixed_vertices_;
     finalize_options.volume_beyond = deep_volumes(band_->tree, band_->labels, band_->split, model_.count(3));
     finalize_options.size_at = [this](const Vec3& p) { return band_->tree.spacing_at(p); };
-    if (hold_tries_ > 0)
-      finalize_options.held = vertices_at_gaps(
-          result_.mesh, model_, finalize_options.size_at,
-          hold_tries_ < kHoldTries ? std::span<const Vec3>(fault_places_) : std::span<const Vec3>{});
+    if (hold_tries_ > 0) finalize_options.held = held_vertices(finalize_options.size_at);
     if (wish_) finalize_options.coarse_size_at = [this](const Vec3& p) { return wish_->spacing_at(p); };
     const FinalizeReport report = finalize(result_.mesh, model_, finalize_options, observer_);
     observer_.note(describe(report));
     dump("finalized");
+  }
+
+  /// Where that is what the try before held, and helped nothing, holding more tries would be the same.
+  std::vector<Mesh::Index> held_vertices(const std::function<double(const Vec3&)>& size_at) {
+    const bool everywhere = hold_tries_ == kHoldTries;
+    std::vector<Mesh::Index> held =
+        vertices_at_gaps(result_.mesh, model_, size_at,
+                         everywhere ? std::span<const Vec3>{} : std::span<const Vec3>(fault_places_));
+    if (held == held_ && hold_tries_ < kHoldTries) hold_tries_ = kHoldTries + 1;
+    held_ = held;
+    return held;
   }
 
   void append_interior() {
@@ -435,6 +445,7 @@ class Run {
       crossings_;               ///< of faces, too shallow for the size to tell: why gaps are left, if any are
   std::optional<Octree> wish_;  ///< octants of the sizes asked for, where some were subdivided
   int hold_tries_ = 0;          ///< with the boundary held in finalization
+  std::vector<Mesh::Index> held_;   ///< in the last of them
   std::vector<Vec3> fault_places_;  ///< of the tries before, in the model's own frame
   int second_tries_ = 0;            ///< with smaller octants at faults
   std::optional<Octree> tree_;      ///< that of the mesh, when the band has gone
