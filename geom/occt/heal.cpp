@@ -219,64 +219,60 @@ class Healer {
     replace(solid, sewn.solids.front());
   }
 
-  void join_strips(TopoDS_Shape& solid) {
-    const StripsMerged merged = merge_strips(solid, smallest_of(solid));
-    if (merged.faces.empty() || merged.solid.ShapeType() != TopAbs_SOLID) return;
-    if (edge_uses(solid).first(&Uses::open) == 0 && edge_uses(merged.solid).first(&Uses::open) != 0) return;
-    set_.notes.push_back(fmt::format(
-        "{} face(s) of {} are no wider than the tolerance of their sides, or than {}, and became edges: {}",
-        merged.faces.size(), name_of(solid), smallest_name(), listed("Face", 2, merged.faces)));
-    set_.history->Merge(merged.history);
-    replace(solid, merged.solid);
+  /// Takes `made` for the solid where it is as closed; curves that edges then lack are added.
+  void adopt(TopoDS_Shape& solid, const TopoDS_Shape& made, const Handle(BRepTools_History) & history,
+             const std::string& note) {
+    if (made.ShapeType() != TopAbs_SOLID) return;
+    if (edge_uses(solid).first(&Uses::open) == 0 && edge_uses(made).first(&Uses::open) != 0) return;
+    set_.notes.push_back(note);
+    set_.history->Merge(history);
+    replace(solid, made);
     add_curves(solid);
   }
 
   void take_spots(TopoDS_Shape& solid) {
     const StripsMerged shrunk = shrink_spots(solid, smallest_of(solid));
-    if (shrunk.faces.empty() || shrunk.solid.ShapeType() != TopAbs_SOLID) return;
-    if (edge_uses(solid).first(&Uses::open) == 0 && edge_uses(shrunk.solid).first(&Uses::open) != 0) return;
-    set_.notes.push_back(fmt::format("{} face(s) of {} are no larger than {} and became vertices: {}",
-                                     shrunk.faces.size(), name_of(solid), smallest_name(),
-                                     listed("Face", 2, shrunk.faces)));
-    set_.history->Merge(shrunk.history);
-    replace(solid, shrunk.solid);
-    add_curves(solid);
+    if (shrunk.faces.empty()) return;
+    adopt(solid, shrunk.solid, shrunk.history,
+          fmt::format("{} face(s) of {} are no larger than {} and became vertices: {}", shrunk.faces.size(),
+                      name_of(solid), smallest_name(), listed("Face", 2, shrunk.faces)));
+  }
+
+  void join_strips(TopoDS_Shape& solid) {
+    const StripsMerged merged = merge_strips(solid, smallest_of(solid));
+    if (merged.faces.empty()) return;
+    adopt(
+        solid, merged.solid, merged.history,
+        fmt::format("{} face(s) of {} are no wider than the tolerance of their sides, or than {}, and became "
+                    "edges: {}",
+                    merged.faces.size(), name_of(solid), smallest_name(), listed("Face", 2, merged.faces)));
   }
 
   void take_short_edges(TopoDS_Shape& solid) {
     const ShortEdgesDropped dropped = drop_short_edges(solid, smallest_of(solid));
-    if (dropped.edges.empty() || dropped.solid.ShapeType() != TopAbs_SOLID) return;
-    if (edge_uses(solid).first(&Uses::open) == 0 && edge_uses(dropped.solid).first(&Uses::open) != 0) return;
-    set_.notes.push_back(fmt::format("{} edge(s) of {} are no longer than {} and became vertices: {}",
-                                     dropped.edges.size(), name_of(solid), smallest_name(),
-                                     listed("Edge", 1, dropped.edges)));
-    set_.history->Merge(dropped.history);
-    replace(solid, dropped.solid);
-    add_curves(solid);
+    if (dropped.edges.empty()) return;
+    adopt(solid, dropped.solid, dropped.history,
+          fmt::format("{} edge(s) of {} are no longer than {} and became vertices: {}", dropped.edges.size(),
+                      name_of(solid), smallest_name(), listed("Edge", 1, dropped.edges)));
   }
 
   void split_edges(TopoDS_Shape& solid) {
     const TouchedEdgesSplit split = split_touched_edges(solid, smallest_of(solid));
-    if (split.edges.empty() || split.solid.ShapeType() != TopAbs_SOLID) return;
-    if (edge_uses(solid).first(&Uses::open) == 0 && edge_uses(split.solid).first(&Uses::open) != 0) return;
-    set_.notes.push_back(fmt::format(
-        "{} edge(s) of {} are touched by a vertex of their face and were split there, the first is {}",
-        split.edges.size(), name_of(solid), numbered("Edge", 1, split.edges.front())));
-    set_.history->Merge(split.history);
-    replace(solid, split.solid);
+    if (split.edges.empty()) return;
+    adopt(solid, split.solid, split.history,
+          fmt::format("{} edge(s) of {} are touched by a vertex of their face and were split there: {}",
+                      split.edges.size(), name_of(solid), listed("Edge", 1, split.edges)));
   }
 
   void take_hairlines(TopoDS_Shape& solid) {
     const HairlinesClosed closed =
         close_hairlines(solid, std::max(smallest_of(solid), kHairlineShare * diagonal_of(box_of(solid))));
-    if (closed.edges.empty() || closed.solid.ShapeType() != TopAbs_SOLID) return;
-    if (edge_uses(solid).first(&Uses::open) == 0 && edge_uses(closed.solid).first(&Uses::open) != 0) return;
-    set_.notes.push_back(fmt::format(
-        "{} spike(s) or slit(s) of faces of {} are no wider than {} and were closed, where were: {}",
-        closed.edges.size(), name_of(solid), smallest_name(), listed("Edge", 1, closed.edges)));
-    set_.history->Merge(closed.history);
-    replace(solid, closed.solid);
-    add_curves(solid);
+    if (closed.edges.empty()) return;
+    adopt(
+        solid, closed.solid, closed.history,
+        fmt::format("{} spike(s) or slit(s) of faces of {} are no wider than {} and were closed, where were: "
+                    "{}",
+                    closed.edges.size(), name_of(solid), smallest_name(), listed("Edge", 1, closed.edges)));
   }
 
   void take_folds(TopoDS_Shape& solid) {
