@@ -49,7 +49,7 @@ struct MeshReport {
   double size = 0.0;  ///< the size used
   std::vector<Fault> faults;
   std::vector<Fault> warnings;  ///< what is a danger at this size though the mesh may be complete: wide gaps
-  SizeShortfall shortfall;
+  SizeShortfall shortfall;      ///< where the part is finer than the size asked for
   QualitySummary quality;
   Acceptance acceptance;
   double volume = 0.0, cad_volume = 0.0;

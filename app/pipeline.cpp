@@ -48,8 +48,9 @@ constexpr double kTouchReach = 0.1;
 /// Octants at gaps are subdivided to this share of the finest otherwise where no smallest size was asked for:
 /// a bore of 0.005 mm in a part of 46 mm is closed by octants of its own width.
 constexpr double kFinestAtGaps = 1.0 / 64.0;
-/// How often a mesh without gaps that fails a claim is made again with the boundary held in finalization
-/// where it comes near to itself: around the faults so far, and the last time everywhere.
+/// How often a mesh without gaps that fails a claim is made again, from the same tree, with the boundary held
+/// in finalization where it comes near to itself: around the faults so far, and the last time everywhere. To
+/// keep what finalization begins with would take its memory in every run, for the few that come to this.
 constexpr int kHoldTries = 4;
 /// How often it is then made again with smaller octants at its faults.
 constexpr int kSecondTries = 3;
@@ -337,13 +338,13 @@ class Run {
     dump("finalized");
   }
 
-  /// Where that is what the try before held, and helped nothing, holding more tries would be the same.
+  /// Where these are what the try before held, without success, no more tries are worth their time.
   std::vector<Mesh::Index> held_vertices(const std::function<double(const Vec3&)>& size_at) {
     const bool everywhere = hold_tries_ == kHoldTries;
     std::vector<Mesh::Index> held =
         vertices_at_gaps(result_.mesh, model_, size_at,
                          everywhere ? std::span<const Vec3>{} : std::span<const Vec3>(fault_places_));
-    if (held == held_ && hold_tries_ < kHoldTries) hold_tries_ = kHoldTries + 1;
+    hold_spent_ = held == held_;
     held_ = held;
     return held;
   }
@@ -362,7 +363,7 @@ class Run {
   [[nodiscard]] std::optional<Octree> next_tree(bool better) {
     const std::size_t faults = result_.report.faults.size();
     if (faults == 0 || gaps_left_) return std::nullopt;
-    if (options_.finalize && hold_tries_ < kHoldTries) {
+    if (options_.finalize && hold_tries_ < kHoldTries && !hold_spent_) {
       for (const Fault& fault : result_.report.faults) fault_places_.push_back(frame_.to_model(fault.place));
       observer_.note(fmt::format("{} faults: where the boundary is near to itself it will be held{}", faults,
                                  ++hold_tries_ < kHoldTries ? " around them" : ""));
@@ -412,11 +413,14 @@ class Run {
     report.acceptance = accept_mesh(result_.mesh, part_);
     for (const Claim& claim : report.acceptance.claims)
       if (!claim.holds) report.faults.insert(report.faults.end(), claim.faults.begin(), claim.faults.end());
-    const Octree& asked = wish_ ? *wish_ : *tree_;
-    report.shortfall =
-        size_shortfall(result_.mesh, [&](const Vec3& p) { return asked.spacing_at(frame_.to_model(p)); });
+    report.shortfall = shortfall();
     report.status =
         report.acceptance.holds() && report.faults.empty() ? MeshStatus::kComplete : MeshStatus::kIncomplete;
+  }
+
+  [[nodiscard]] SizeShortfall shortfall() const {
+    const Octree& asked = wish_ ? *wish_ : *tree_;
+    return size_shortfall(result_.mesh, [&](const Vec3& p) { return asked.spacing_at(frame_.to_model(p)); });
   }
 
   void summarize() {
@@ -445,6 +449,7 @@ class Run {
       crossings_;               ///< of faces, too shallow for the size to tell: why gaps are left, if any are
   std::optional<Octree> wish_;  ///< octants of the sizes asked for, where some were subdivided
   int hold_tries_ = 0;          ///< with the boundary held in finalization
+  bool hold_spent_ = false;     ///< the last of them held what the one before did
   std::vector<Mesh::Index> held_;   ///< in the last of them
   std::vector<Vec3> fault_places_;  ///< of the tries before, in the model's own frame
   int second_tries_ = 0;            ///< with smaller octants at faults

@@ -35,9 +35,8 @@ std::string shortfall_line(const Model& model, const SizeShortfall& shortfall) {
   if (shortfall.shortest.empty()) return {};
   const ShortEdge& worst = shortfall.shortest.front();
   return fmt::format(
-      "  {:<9}{} edges of the boundary are shorter than a quarter of the size asked for there, since the "
-      "part "
-      "is so fine: the shortest {:.3g} mm of {:.3g}, on {} at {}\n",
+      "  {:<9}{} edges of the boundary are shorter than a quarter of the size asked for there: the shortest "
+      "{:.3g} mm of {:.3g}, on {} at {}\n",
       "short", shortfall.edges, worst.length, worst.asked, model.describe(worst.entity),
       place_text(worst.place));
 }

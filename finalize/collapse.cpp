@@ -198,8 +198,8 @@ bool raises_mean(const Workshop& shop, VertexId kept, const std::vector<TetId>& 
 
 bool collapse(Workshop& shop, VertexId gone, VertexId kept, double floor, bool for_mean) {
   WorkMesh& mesh = shop.mesh;
-  if (mesh.on[gone].dim == 0 || mesh.hold[gone] != Hold::kFree || mesh.frozen(kept)) return false;
-  if (mesh.hold[kept] != Hold::kFree && mesh.on[gone].dim < 3) return false;
+  if (mesh.on[gone].dim == 0 || mesh.held(gone) || mesh.frozen(kept)) return false;
+  if (mesh.held(kept) && mesh.on[gone].dim < 3) return false;
   if (mesh.on[gone].dim < mesh.on[kept].dim) return false;
   std::vector<TetId> tets, kept_tets;
   star(mesh, gone, tets);

@@ -189,7 +189,7 @@ bool swap_fits(const Workshop& shop, const SurfaceSwap& swap) {
 /// that is dropped, have nothing on the model around it: else the surface would touch itself along it.
 bool chord_is_free(Workshop& shop, const Sectors& sectors) {
   const VertexId s = sectors[0].first(), e = sectors[0].last();
-  if (shop.mesh.hold[s] != Hold::kFree || shop.mesh.hold[e] != Hold::kFree) return false;
+  if (shop.mesh.held(s) || shop.mesh.held(e)) return false;
   const TetId t = tet_with_edge(shop.mesh, s, e);
   if (!t.valid()) return true;
   const bool drops =
@@ -236,7 +236,7 @@ bool fill_plan(const Workshop& shop, const EdgeRing& ring, const Aim& aim, doubl
   const WorkMesh& mesh = shop.mesh;
   if (piece_on(mesh, ring.a, ring.b) != 0 || (mesh.frozen(ring.a) && mesh.frozen(ring.b))) return false;
   if (!collect_sectors(mesh, ring, plan.sectors)) return false;
-  const bool held = mesh.hold[ring.a] != Hold::kFree && mesh.hold[ring.b] != Hold::kFree;
+  const bool held = mesh.held(ring.a) && mesh.held(ring.b);
   if (held && plan.sectors[0].face_on != 0) return false;
   plan.value = aim.of_none();
   for (std::size_t i = 0; i < plan.sectors.count; ++i) {

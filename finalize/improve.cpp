@@ -25,11 +25,11 @@ namespace {
 constexpr double kCollapseShape = 0.0302;  // ten degrees
 
 struct Candidate {
-  double quality;
+  double rank;
   TetId tet;
-  /// The worst comes first, ties by number.
+  /// The lowest comes first, ties by number.
   bool operator<(const Candidate& other) const {
-    return std::tie(other.quality, other.tet) < std::tie(quality, tet);
+    return std::tie(other.rank, other.tet) < std::tie(rank, tet);
   }
 };
 
@@ -183,6 +183,34 @@ double collapse_floor(Workshop& shop, VertexId a, std::vector<TetId>& tets) {
   return before >= kCollapseShape ? std::min(before * 0.999, target) : better_than(before);
 }
 
+/// Takes the tetrahedra for which rank(t) has a value, lowest first, and the ones that come of them.
+template <class Rank>
+std::size_t improve_in_order(Workshop& shop, double goal, Observer& observer, const Rank& rank) {
+  const WorkMesh& mesh = shop.mesh;
+  std::priority_queue<Candidate> queue;
+  const auto look_at = [&](TetId t) {
+    if (!mesh.alive(t)) return;
+    if (const std::optional<double> value = rank(t)) queue.push({*value, t});
+  };
+  for (std::size_t i = 0; i < mesh.tets.size(); ++i) look_at(TetId(i));
+  std::size_t done = 0, taken = 0;
+  while (!queue.empty() && !budget_spent(shop)) {
+    const Candidate candidate = queue.top();
+    queue.pop();
+    if (!mesh.alive(candidate.tet) || rank(candidate.tet) != candidate.rank) continue;
+    if (taken++ % 64 == 0 && observer.cancelled()) throw Cancelled();
+    if (is_hopeless(shop, candidate.tet)) continue;
+    if (!improve_tet(shop, candidate.tet, goal, Effort::kFull)) {
+      note_failure(shop, candidate.tet);
+      continue;
+    }
+    ++done;
+    note_change(shop);
+    for (const TetId t : shop.made) look_at(t);
+  }
+  return done;
+}
+
 }  // namespace
 
 bool improve_tet(Workshop& shop, TetId t, double goal, Effort effort) {
@@ -253,61 +281,21 @@ void relax_around(Workshop& shop, double goal, double wish) {
 void forget_failures(Workshop& shop) { shop.tried.clear(); }
 
 std::size_t improve_worst_first(Workshop& shop, double goal, Observer& observer) {
-  const WorkMesh& mesh = shop.mesh;
-  std::priority_queue<Candidate> queue;
-  for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
-    const TetId t(i);
-    if (mesh.alive(t) && falls_short(shop, t, goal)) queue.push({mesh.quality[t], t});
-  }
-  std::size_t done = 0, taken = 0;
-  while (!queue.empty() && !budget_spent(shop)) {
-    const Candidate candidate = queue.top();
-    queue.pop();
-    if (!mesh.alive(candidate.tet) || mesh.quality[candidate.tet] != candidate.quality) continue;
-    if (taken++ % 64 == 0 && observer.cancelled()) throw Cancelled();
-    if (is_hopeless(shop, candidate.tet)) continue;
-    if (!improve_tet(shop, candidate.tet, goal, Effort::kFull)) {
-      note_failure(shop, candidate.tet);
-      continue;
-    }
-    ++done;
-    note_change(shop);
-    for (const TetId t : shop.made) {
-      if (falls_short(shop, t, goal)) queue.push({mesh.quality[t], t});
-    }
-  }
-  return done;
+  return improve_in_order(shop, goal, observer, [&](TetId t) {
+    return falls_short(shop, t, goal) ? std::optional(shop.mesh.quality[t]) : std::nullopt;
+  });
 }
 
 std::size_t improve_obtuse(Workshop& shop, double limit, Observer& observer) {
   const WorkMesh& mesh = shop.mesh;
   const double goal = shape_of_angle(limit);
-  const auto angle = [&](TetId t) {
-    return dihedral_range(mesh.point(t, 0), mesh.point(t, 1), mesh.point(t, 2), mesh.point(t, 3)).largest;
-  };
-  std::priority_queue<Candidate> queue;
-  const auto look_at = [&](TetId t) {
+  return improve_in_order(shop, goal, observer, [&](TetId t) -> std::optional<double> {
     // The shape is no more than the squared sine of any of the angles.
-    if (!mesh.alive(t) || mesh.quality[t] >= goal || !touches_boundary(mesh, t)) return;
-    if (const double largest = angle(t); largest > limit) queue.push({-largest, t});
-  };
-  for (std::size_t i = 0; i < mesh.tets.size(); ++i) look_at(TetId(i));
-  std::size_t done = 0, taken = 0;
-  while (!queue.empty() && !budget_spent(shop)) {
-    const Candidate candidate = queue.top();
-    queue.pop();
-    if (!mesh.alive(candidate.tet) || -angle(candidate.tet) != candidate.quality) continue;
-    if (taken++ % 64 == 0 && observer.cancelled()) throw Cancelled();
-    if (is_hopeless(shop, candidate.tet)) continue;
-    if (!improve_tet(shop, candidate.tet, goal, Effort::kFull)) {
-      note_failure(shop, candidate.tet);
-      continue;
-    }
-    ++done;
-    note_change(shop);
-    for (const TetId t : std::vector<TetId>(shop.made)) look_at(t);
-  }
-  return done;
+    if (mesh.quality[t] >= goal || !touches_boundary(mesh, t)) return std::nullopt;
+    const double largest =
+        dihedral_range(mesh.point(t, 0), mesh.point(t, 1), mesh.point(t, 2), mesh.point(t, 3)).largest;
+    return largest > limit ? std::optional(-largest) : std::nullopt;
+  });
 }
 
 }  // namespace octet

@@ -226,7 +226,7 @@ bool commit_move(Workshop& shop, VertexId v, std::span<const TetId> tets, bool c
   return true;
 }
 
-bool may_move(const WorkMesh& mesh, VertexId v) { return mesh.on[v].dim > 0 && mesh.hold[v] == Hold::kFree; }
+bool may_move(const WorkMesh& mesh, VertexId v) { return mesh.on[v].dim > 0 && !mesh.held(v); }
 
 double raise_worst(const Workshop& shop, LocalStar& star, Stand& stand, double worst, double goal) {
   std::vector<Vec3> gradients;

@@ -135,8 +135,7 @@ bool split_edge(Workshop& shop, TetId t, VertexId a, VertexId b, double floor, d
   EdgeRing ring;
   edge_ring(shop.mesh, t, a, b, ring);
   const ModelRef on = edge_entity(shop.mesh, ring);
-  if (!on.valid() || (on.dim < 3 && (shop.mesh.hold[a] != Hold::kFree || shop.mesh.hold[b] != Hold::kFree)))
-    return false;
+  if (!on.valid() || (on.dim < 3 && (shop.mesh.held(a) || shop.mesh.held(b)))) return false;
   LocalStar star = future_star(shop, ring, on);
   const Stand from = seeds_of(shop, ring, star, middle);
   Stand stand;

@@ -62,6 +62,7 @@ struct WorkMesh {
   [[nodiscard]] bool alive(TetId t) const { return tets[t][0].valid(); }
   [[nodiscard]] bool alive(VertexId v) const { return tet_of[v].valid(); }
   [[nodiscard]] const Vec3& point(TetId t, int corner) const { return points[tets[t][corner]]; }
+  [[nodiscard]] bool held(VertexId v) const { return hold[v] != Hold::kFree; }  ///< or frozen
   [[nodiscard]] bool frozen(VertexId v) const { return hold[v] == Hold::kFrozen; }
   [[nodiscard]] bool on_boundary(VertexId v) const { return on[v].dim < 3; }
 

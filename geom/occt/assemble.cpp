@@ -65,14 +65,6 @@ void note_left_out(ModelParts& parts) {
   }
 }
 
-/// The number as read of a solid of the healed set, 0: none.
-int number_of(const TopoDS_Shape& solid, const ShapeMaps& as_read, const SolidSet& healed) {
-  for (int number = 1; number <= as_read.of[3].Extent(); ++number)
-    for (const TopoDS_Shape& image : images_of(as_read.of[3](number), healed))
-      if (image.IsSame(solid)) return number;
-  return 0;
-}
-
 /// Whether no face of a part is in the model. One face alone bounds nothing and was not meant to: it is told
 /// among what is left out, and is no fault.
 bool is_open_part(const TopoDS_Shape& part, const ShapeMaps& as_read, const Provenance& provenance) {
@@ -117,7 +109,7 @@ void tell_faults(const JoinedSolids& joined, const ShapeMaps& as_read, const Sol
     parts.faults.push_back(fault);
   }
   for (const LostSolid& lost : joined.lost) {
-    const int number = number_of(lost.solid, as_read, healed);
+    const int number = number_as_read(3, lost.solid, as_read, healed);
     Fault fault{{}, middle_of(lost.solid), "", "mend it in the CAD system; the others are meshed without it"};
     fault.cause = fmt::format("{} is left out: {}", number > 0 ? solid_text(parts, number) : "a sewn solid",
                               lost.cause);

@@ -65,11 +65,11 @@ class FoldFinder {
     TopExp::MapShapesAndAncestors(solid, TopAbs_EDGE, TopAbs_FACE, faces_of_);
   }
 
-  FoldsRemoved run() {
-    FoldsRemoved result{solid_, new BRepTools_History, {}};
+  Repair run() {
+    Repair result = no_repair(solid_);
     for (TopExp_Explorer it(solid_, TopAbs_FACE); it.More(); it.Next())
-      if (take_away(TopoDS::Face(it.Current()))) result.faces.push_back(it.Current());
-    if (result.faces.empty()) return result;
+      if (take_away(TopoDS::Face(it.Current()))) result.entities.push_back(it.Current());
+    if (result.entities.empty()) return result;
     result.solid = changes_->Apply(solid_);
     for (const auto& [face, edge] : new_borders_)
       ShapeFix_Edge().FixAddPCurve(edge, TopoDS::Face(changes_->Apply(face)), false, Precision::Confusion());
@@ -198,6 +198,6 @@ class FoldFinder {
 
 }  // namespace
 
-FoldsRemoved remove_folds(const TopoDS_Shape& solid) { return FoldFinder(solid).run(); }
+Repair remove_folds(const TopoDS_Shape& solid) { return FoldFinder(solid).run(); }
 
 }  // namespace octet

@@ -65,8 +65,8 @@ class Closer {
     TopExp::MapShapesAndAncestors(solid, TopAbs_EDGE, TopAbs_FACE, faces_of_);
   }
 
-  HairlinesClosed run() {
-    HairlinesClosed result{solid_, new BRepTools_History, {}};
+  Repair run() {
+    Repair result = no_repair(solid_);
     for (TopExp_Explorer it(solid_, TopAbs_FACE); it.More(); it.Next()) {
       const TopoDS_Face face = TopoDS::Face(it.Current().Oriented(TopAbs_FORWARD));
       for (TopExp_Explorer wires(face, TopAbs_WIRE); wires.More(); wires.Next())
@@ -75,7 +75,7 @@ class Closer {
     if (gone_.empty()) return result;
     result.solid = changes_->Apply(solid_);
     result.history = changes_->History();
-    result.edges = gone_;
+    result.entities = gone_;
     return result;
   }
 
@@ -148,8 +148,6 @@ class Closer {
 
 }  // namespace
 
-HairlinesClosed close_hairlines(const TopoDS_Shape& solid, double width) {
-  return Closer(solid, width).run();
-}
+Repair close_hairlines(const TopoDS_Shape& solid, double width) { return Closer(solid, width).run(); }
 
 }  // namespace octet

@@ -5,22 +5,21 @@
 #include <fmt/format.h>
 
 #include <BRepClass3d_SolidClassifier.hxx>
+#include <BRepGProp.hxx>
 #include <BRepLib.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <GProp_GProps.hxx>
 #include <Geom2d_Curve.hxx>
 #include <Geom_Curve.hxx>
-#include <NCollection_DataMap.hxx>
 #include <Precision.hxx>
 #include <ShapeAnalysis_Surface.hxx>
 #include <ShapeBuild_ReShape.hxx>
 #include <ShapeFix_Edge.hxx>
 #include <ShapeFix_Shell.hxx>
 #include <ShapeFix_Wire.hxx>
-#include <TCollection_AsciiString.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_MapOfShape.hxx>
-#include <TopTools_ShapeMapHasher.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
@@ -28,6 +27,8 @@
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
 #include <TopoDS_Wire.hxx>
+#include <cmath>
+#include <optional>
 
 #include "geom/occt/edge_uses.h"
 #include "geom/occt/folds.h"
@@ -47,6 +48,15 @@ namespace {
 /// Of the diagonal: spikes and slits so narrow are closed whatever is asked. Nothing of the part's volume
 /// goes with them, and its mesh would have flat elements all along them.
 constexpr double kHairlineShare = 1e-6;
+/// What changes more of a solid's volume, all together, is no small feature of it: the solid is one, or a
+/// sheet.
+constexpr double kMostVolumeShare = 0.05;
+
+double volume_of(const TopoDS_Shape& solid) {
+  GProp_GProps properties;
+  BRepGProp::VolumeProperties(solid, properties);
+  return properties.Mass();
+}
 
 class Healer {
  public:
@@ -56,16 +66,13 @@ class Healer {
   void run(const FaceNumberPairs& touching) {
     for (std::size_t i = 0; i < set_.solids.size(); ++i) {
       log_(fmt::format("checking {}", name_of(set_.solids[i])));
+      volume_.reset();
       add_curves(set_.solids[i]);
       renew_curves(set_.solids[i]);
       add_pole_edges(set_.solids[i]);
       turn_faces(set_.solids[i]);
       close(set_.solids[i]);
-      take_spots(set_.solids[i]);
-      join_strips(set_.solids[i]);
-      take_short_edges(set_.solids[i]);
-      split_edges(set_.solids[i]);
-      take_hairlines(set_.solids[i]);
+      take_small_features(set_.solids[i]);
       take_folds(set_.solids[i]);
       turn_inside_out(set_.solids[i]);
     }
@@ -85,12 +92,10 @@ class Healer {
 
  private:
   [[nodiscard]] std::string numbered(const char* kind, int dim, const TopoDS_Shape& shape) const {
-    const int number = as_read_.of[dim].FindIndex(shape);
+    const int number = number_as_read(dim, shape, as_read_, set_);
     return number > 0 ? fmt::format("{} {}", kind, number) : fmt::format("a new {}", kind);
   }
-  [[nodiscard]] std::string name_of(const TopoDS_Shape& solid) const {
-    return names_.IsBound(solid) ? names_.Find(solid).ToCString() : numbered("Solid", 3, solid);
-  }
+  [[nodiscard]] std::string name_of(const TopoDS_Shape& solid) const { return numbered("Solid", 3, solid); }
 
   [[nodiscard]] double smallest_of(const TopoDS_Shape& solid) const {
     return std::max(options_.smallest_feature, kVanishingShare * diagonal_of(box_of(solid)));
@@ -178,7 +183,6 @@ class Healer {
 
   /// A new solid in the place of `solid`, of the same orientation.
   void replace(TopoDS_Shape& solid, const TopoDS_Shape& by) {
-    names_.Bind(by, TCollection_AsciiString(name_of(solid).c_str()));
     set_.history->AddModified(solid, by);
     solid = by;
   }
@@ -219,72 +223,52 @@ class Healer {
     replace(solid, sewn.solids.front());
   }
 
-  /// Takes `made` for the solid where it is as closed; curves that edges then lack are added.
-  void adopt(TopoDS_Shape& solid, const TopoDS_Shape& made, const Handle(BRepTools_History) & history,
-             const std::string& note) {
-    if (made.ShapeType() != TopAbs_SOLID) return;
-    if (edge_uses(solid).first(&Uses::open) == 0 && edge_uses(made).first(&Uses::open) != 0) return;
-    set_.notes.push_back(note);
-    set_.history->Merge(history);
-    replace(solid, made);
+  /// Takes the repaired solid where it is as closed as it was and bounds as much, and adds the curves that
+  /// its edges then lack. `dim`, `what`: of the entities that are gone, and what became of them.
+  void adopt(TopoDS_Shape& solid, const Repair& repair, int dim, const std::string& what) {
+    if (repair.entities.empty() || repair.solid.ShapeType() != TopAbs_SOLID) return;
+    const bool closed = edge_uses(solid).first(&Uses::open) == 0;
+    if (closed && edge_uses(repair.solid).first(&Uses::open) != 0) return;
+    const bool edges = dim == 1;
+    if (!volume_) volume_ = volume_of(solid);
+    const double after = volume_of(repair.solid);
+    if (closed && std::abs(after - *volume_) > kMostVolumeShare * std::abs(*volume_)) {
+      set_.notes.push_back(fmt::format(
+          "{} keeps {} small {}(s), for without them its volume would change from {:.6g} to {:.6g} mm^3: {}",
+          name_of(solid), repair.entities.size(), edges ? "edge" : "face", *volume_, after,
+          listed(edges ? "Edge" : "Face", dim, repair.entities)));
+      return;
+    }
+    set_.notes.push_back(fmt::format("{} {}(s) of {} {}: {}", repair.entities.size(), edges ? "edge" : "face",
+                                     name_of(solid), what,
+                                     listed(edges ? "Edge" : "Face", dim, repair.entities)));
+    set_.history->Merge(repair.history);
+    replace(solid, repair.solid);
     add_curves(solid);
   }
 
-  void take_spots(TopoDS_Shape& solid) {
-    const StripsMerged shrunk = shrink_spots(solid, smallest_of(solid));
-    if (shrunk.faces.empty()) return;
-    adopt(solid, shrunk.solid, shrunk.history,
-          fmt::format("{} face(s) of {} are no larger than {} and became vertices: {}", shrunk.faces.size(),
-                      name_of(solid), smallest_name(), listed("Face", 2, shrunk.faces)));
-  }
-
-  void join_strips(TopoDS_Shape& solid) {
-    const StripsMerged merged = merge_strips(solid, smallest_of(solid));
-    if (merged.faces.empty()) return;
-    adopt(
-        solid, merged.solid, merged.history,
-        fmt::format("{} face(s) of {} are no wider than the tolerance of their sides, or than {}, and became "
-                    "edges: {}",
-                    merged.faces.size(), name_of(solid), smallest_name(), listed("Face", 2, merged.faces)));
-  }
-
-  void take_short_edges(TopoDS_Shape& solid) {
-    const ShortEdgesDropped dropped = drop_short_edges(solid, smallest_of(solid));
-    if (dropped.edges.empty()) return;
-    adopt(solid, dropped.solid, dropped.history,
-          fmt::format("{} edge(s) of {} are no longer than {} and became vertices: {}", dropped.edges.size(),
-                      name_of(solid), smallest_name(), listed("Edge", 1, dropped.edges)));
-  }
-
-  void split_edges(TopoDS_Shape& solid) {
-    const TouchedEdgesSplit split = split_touched_edges(solid, smallest_of(solid));
-    if (split.edges.empty()) return;
-    adopt(solid, split.solid, split.history,
-          fmt::format("{} edge(s) of {} are touched by a vertex of their face and were split there: {}",
-                      split.edges.size(), name_of(solid), listed("Edge", 1, split.edges)));
-  }
-
-  void take_hairlines(TopoDS_Shape& solid) {
-    const HairlinesClosed closed =
-        close_hairlines(solid, std::max(smallest_of(solid), kHairlineShare * diagonal_of(box_of(solid))));
-    if (closed.edges.empty()) return;
-    adopt(
-        solid, closed.solid, closed.history,
-        fmt::format("{} spike(s) or slit(s) of faces of {} are no wider than {} and were closed, where were: "
-                    "{}",
-                    closed.edges.size(), name_of(solid), smallest_name(), listed("Edge", 1, closed.edges)));
+  void take_small_features(TopoDS_Shape& solid) {
+    const std::string smallest = smallest_name();
+    adopt(solid, shrink_spots(solid, smallest_of(solid)), 2,
+          "are no larger than " + smallest + " and became vertices");
+    adopt(solid, merge_strips(solid, smallest_of(solid)), 2,
+          "are no wider than the tolerance of their sides, or than " + smallest + ", and became edges");
+    adopt(solid, drop_short_edges(solid, smallest_of(solid)), 1,
+          "are no longer than " + smallest + " and became vertices");
+    adopt(solid, split_touched_edges(solid, smallest_of(solid)), 1,
+          "are touched by a vertex of their face and were split there");
+    const double hairline = kHairlineShare * diagonal_of(box_of(solid));
+    adopt(solid, close_hairlines(solid, std::max(smallest_of(solid), hairline)), 1,
+          "were sides of spikes or slits no wider than " + smallest +
+              ", and became one with those beside them");
   }
 
   void take_folds(TopoDS_Shape& solid) {
-    const FoldsRemoved removed = remove_folds(solid);
-    if (removed.faces.empty() || removed.solid.ShapeType() != TopAbs_SOLID) return;
+    const Repair removed = remove_folds(solid);
     if (edge_uses(removed.solid).first(&Uses::open) != 0) return;
-    set_.notes.push_back(fmt::format(
-        "{} face(s) of {} lie flat on a face beside them, no farther than their sides lie off their "
-        "faces, and were taken away, the first is {}",
-        removed.faces.size(), name_of(solid), numbered("Face", 2, removed.faces.front())));
-    set_.history->Merge(removed.history);
-    replace(solid, removed.solid);
+    adopt(solid, removed, 2,
+          "lie flat on a face beside them, no farther than their sides lie off their faces, and were taken "
+          "away");
   }
 
   void turn_inside_out(TopoDS_Shape& solid) {
@@ -338,10 +322,9 @@ class Healer {
 
   const ShapeMaps& as_read_;
   HealOptions options_;
-  NCollection_DataMap<TopoDS_Shape, TCollection_AsciiString, TopTools_ShapeMapHasher>
-      names_;  ///< of solids that took the places of others
   const StageLog& log_;
   SolidSet& set_;
+  std::optional<double> volume_;  ///< of the solid in hand, before anything was taken away
   int curves_ = 0, pcurves_ = 0, pole_edges_ = 0;
   std::string first_curve_, first_pcurve_, first_pole_edge_;
 };

@@ -13,6 +13,7 @@
 #include <chrono>
 #include <cmath>
 #include <new>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -25,6 +26,7 @@
 #include "geom/occt/contact_circle.h"
 #include "geom/occt/part_stream.h"
 #include "geom/occt/silence.h"
+#include "geom/occt/tessellate.h"
 
 namespace octet {
 namespace {
@@ -138,14 +140,20 @@ std::string loss_of(const Model& model, const Model& other) {
   return {};
 }
 
-/// The first face that lies far off its own facets for what was taken away at its borders, 0: none.
-int spoiled_face(const Model& model, double smallest_feature) {
+/// The first face that lies far off its own facets for what was taken away at its borders, by its number as
+/// read, and how far; empty: none.
+std::string spoilt_face(const Model& model, const ReadOptions& options) {
   constexpr double kFar = 5.0;
-  constexpr double kFacetShare = 1.0 / 2000.0;  // of the diagonal: what facets keep to
-  const double most = kFar * std::max(smallest_feature, kFacetShare * model.diagonal());
-  for (int face = 1; face <= model.count(2); ++face)
-    if (model.facets().deviation[static_cast<std::size_t>(face)] > most) return face;
-  return 0;
+  const double kept_to =
+      options.facet_deflection > 0.0 ? options.facet_deflection : kDeflectionShare * model.diagonal();
+  for (int face = 1; face <= model.count(2); ++face) {
+    const double off = model.facets().deviation[static_cast<std::size_t>(face)];
+    if (off <= kFar * std::max(options.smallest_feature, kept_to)) continue;
+    const auto numbers = sources(model.provenance(), 2, model.count(2))[static_cast<std::size_t>(face)];
+    return fmt::format("{} would lie {:.3g} mm off its edges",
+                       numbers.empty() ? "a face" : fmt::format("Face {}", numbers.front()), off);
+  }
+  return {};
 }
 
 using Clock = std::chrono::steady_clock;
@@ -157,31 +165,66 @@ double left_of(double limit, Clock::time_point begin) {
                      : 0.0;
 }
 
-/// With less taken away, where all that was asked for would spoil a face.
-Model read_defeatured(ReadJob& job) {
+/// How many solids are left out where nothing is taken away.
+std::size_t faults_without_defeaturing(ReadJob job) {
+  job.options.smallest_feature = 0.0;
+  return read_job(job).faults.size();
+}
+
+/// With less taken away, where all that was asked for would spoil the part; `note` says so. The job is left
+/// with what was taken.
+Model read_defeatured(ReadJob& job, std::string& note) {
   constexpr int kHalvings = 3;
   double& smallest = job.options.smallest_feature;
   const double asked = smallest, limit = job.options.time_limit;
   const Clock::time_point begin = Clock::now();
-  for (int tries = 0;; ++tries) {
-    Model model(read_job(job));
-    const int face = smallest > 0.0 ? spoiled_face(model, smallest) : 0;
-    if (face == 0) {
-      if (smallest == asked) return model;
-      ModelParts parts = model.parts();
-      parts.notes.push_back(
-          smallest > 0.0
-              ? fmt::format("features smaller than {:.4g} mm cannot be taken away without spoiling a face; "
-                            "those smaller than {:.4g} mm were",
-                            asked, smallest)
-              : fmt::format("features smaller than {:.4g} mm, or an eighth of that, cannot be taken away "
-                            "without spoiling a face; none were",
-                            asked));
-      return Model(std::move(parts));
+  std::string first_cause;
+  std::optional<std::size_t> known_faults;
+  for (int tries = 0; smallest > 0.0; ++tries) {
+    std::string cause;
+    try {
+      Model model(read_job(job));
+      const std::vector<Fault>& faults = model.parts().faults;
+      if (!faults.empty() && !known_faults) known_faults = faults_without_defeaturing(job);
+      cause =
+          faults.size() > known_faults.value_or(0) ? faults.back().cause : spoilt_face(model, job.options);
+      if (cause.empty()) return model;
+    } catch (const ModelError& error) {
+      cause = error.what();
     }
+    if (tries == 0) first_cause = cause;
     smallest = tries < kHalvings ? 0.5 * smallest : 0.0;
+    note = fmt::format(
+        "features smaller than {:.4g} mm cannot all be taken away, for {}: {}", asked, first_cause,
+        smallest > 0.0 ? fmt::format("those smaller than {:.4g} mm were", smallest) : "none were");
     job.options.time_limit = left_of(limit, begin);
   }
+  return Model(read_job(job));
+}
+
+Model with_note(const Model& model, const std::string& note) {
+  ModelParts parts = model.parts();
+  parts.notes.push_back(note);
+  return Model(std::move(parts));
+}
+
+/// The job's second reading, with the faces that touch imprinted on each other, where nothing is lost by it;
+/// the model of the first with a note otherwise.
+Model read_imprinted(const ReadJob& job, const Model& model) {
+  std::string loss;
+  try {
+    Model imprinted(read_job(job));
+    loss = loss_of(imprinted, model);
+    if (loss.empty()) return imprinted;
+  } catch (const InputError& error) {
+    loss = error.what();
+  }
+  return with_note(
+      model,
+      fmt::format(
+          "{} pair(s) of faces touch without an edge or a vertex that they share, the first is Face {} "
+          "and Face {}; they are left so, for imprinted on each other: {}",
+          job.touching.size(), job.touching.front()[0], job.touching.front()[1], loss));
 }
 
 }  // namespace
@@ -215,24 +258,14 @@ ModelParts read_job(const ReadJob& job) {
 Model read_model(ReadJob job) {
   const Clock::time_point begin = Clock::now();
   const double limit = job.options.time_limit;
-  Model model = read_defeatured(job);
+  std::string note;
+  Model model = read_defeatured(job, note);
   job.touching = numbers_of(touches_without_crossings(model), model);
-  if (job.touching.empty()) return model;
-  job.options.time_limit = left_of(limit, begin);
-  std::string loss;
-  try {
-    Model imprinted(read_job(job));
-    loss = loss_of(imprinted, model);
-    if (loss.empty()) return imprinted;
-  } catch (const InputError& error) {
-    loss = error.what();
+  if (!job.touching.empty()) {
+    job.options.time_limit = left_of(limit, begin);
+    model = read_imprinted(job, model);
   }
-  ModelParts parts = model.parts();
-  parts.notes.push_back(fmt::format(
-      "{} pair(s) of faces touch without an edge or a vertex that they share, the first is Face {} "
-      "and Face {}; they are left so, for imprinted on each other: {}",
-      job.touching.size(), job.touching.front()[0], job.touching.front()[1], loss));
-  return Model(std::move(parts));
+  return note.empty() ? std::move(model) : with_note(model, note);
 }
 
 }  // namespace octet

@@ -37,12 +37,12 @@ bool is_short(const TopoDS_Edge& edge, double length) {
 
 }  // namespace
 
-ShortEdgesDropped drop_short_edges(const TopoDS_Shape& solid, double length) {
-  ShortEdgesDropped result{solid, new BRepTools_History, {}};
+Repair drop_short_edges(const TopoDS_Shape& solid, double length) {
+  Repair result = no_repair(solid);
   const TopTools_IndexedMapOfShape edges = sub_shapes(solid, TopAbs_EDGE);
   for (int i = 1; i <= edges.Extent(); ++i)
-    if (is_short(TopoDS::Edge(edges(i)), length)) result.edges.push_back(edges(i));
-  if (result.edges.empty()) return result;
+    if (is_short(TopoDS::Edge(edges(i)), length)) result.entities.push_back(edges(i));
+  if (result.entities.empty()) return result;
   const Handle(ShapeBuild_ReShape) context = new ShapeBuild_ReShape;
   ShapeFix_Wireframe fix(solid);
   fix.SetContext(context);
@@ -52,7 +52,7 @@ ShortEdgesDropped drop_short_edges(const TopoDS_Shape& solid, double length) {
   const TopoDS_Shape made = context->Apply(solid);
   if (sub_shapes(made, TopAbs_FACE).Extent() != sub_shapes(solid, TopAbs_FACE).Extent() ||
       sub_shapes(made, TopAbs_EDGE).Extent() >= edges.Extent()) {
-    result.edges.clear();
+    result.entities.clear();
     return result;
   }
   result.solid = made;

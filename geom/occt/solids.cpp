@@ -99,6 +99,15 @@ TopTools_ListOfShape images_of(const TopoDS_Shape& shape, const SolidSet& set) {
   return images;
 }
 
+int number_as_read(int dim, const TopoDS_Shape& shape, const ShapeMaps& as_read, const SolidSet& set) {
+  const TopTools_IndexedMapOfShape& entities = as_read.of[dim];
+  if (const int number = entities.FindIndex(shape); number > 0) return number;
+  for (int number = 1; number <= entities.Extent(); ++number)
+    for (const TopoDS_Shape& image : images_of(entities(number), set))
+      if (image.IsSame(shape)) return number;
+  return 0;
+}
+
 Fault opening_of(const TopoDS_Shape& shape, const ShapeMaps& as_read) {
   Fault fault;
   fault.cause = "it holds no solid and no closed shell";

@@ -29,6 +29,11 @@ struct SolidSet {
 /// What became of an entity of the shape as read; itself where nothing did, nothing where it was removed.
 [[nodiscard]] TopTools_ListOfShape images_of(const TopoDS_Shape& shape, const SolidSet& set);
 
+/// The number of what became `shape`, an entity of the set of this dimension; of the first, where several
+/// did; 0: none.
+[[nodiscard]] int number_as_read(int dim, const TopoDS_Shape& shape, const ShapeMaps& as_read,
+                                 const SolidSet& set);
+
 /// Why `shape`, a part of the shape as read, bounds no volume: of its free edges the one that is farthest
 /// from all others, numbered as read.
 [[nodiscard]] Fault opening_of(const TopoDS_Shape& shape, const ShapeMaps& as_read);

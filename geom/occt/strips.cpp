@@ -75,24 +75,36 @@ double strip_width(const TopoDS_Face& face, double least) {
   return own == width || !sides_within(face, own)[0].IsNull() ? own : 0.0;
 }
 
+/// `step`: what OCCT's fixer is to do; returns the solid.
+template <class Step>
+void fix_small_faces(double width, const Step& step, Repair& repair) {
+  const Handle(ShapeBuild_ReShape) context = new ShapeBuild_ReShape;
+  ShapeFix_FixSmallFace fix;
+  fix.Init(repair.solid);
+  fix.SetContext(context);
+  fix.SetPrecision(width);
+  repair.solid = step(fix);
+  repair.history = context->History();
+}
+
 bool is_spot(const TopoDS_Face& face, double width) {
   try {
     return ShapeAnalysis_CheckSmallFace().CheckSpotFace(face, width);
-  } catch (const Standard_Failure&) {
+  } catch (const Standard_Failure&) {  // OCCT cannot tell
     return false;
   }
 }
 
 }  // namespace
 
-StripsMerged merge_strips(const TopoDS_Shape& solid, double least) {
-  StripsMerged result{solid, new BRepTools_History, {}};
+Repair merge_strips(const TopoDS_Shape& solid, double least) {
+  Repair result = no_repair(solid);
   double width = 0.0;
   std::vector<TopoDS_Face> others;
   for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next()) {
     const TopoDS_Face& face = TopoDS::Face(it.Current());
     if (const double own = strip_width(face, least); own > 0.0) {
-      result.faces.push_back(face);
+      result.entities.push_back(face);
       width = std::max(width, own);
     } else {
       others.push_back(face);
@@ -100,30 +112,20 @@ StripsMerged merge_strips(const TopoDS_Shape& solid, double least) {
   }
   // OCCT merges whatever is as narrow: a face that is exact must not go with those that are vague.
   const auto goes_too = [&](const TopoDS_Face& face) { return !sides_within(face, width)[0].IsNull(); };
-  if (std::any_of(others.begin(), others.end(), goes_too)) result.faces.clear();
-  if (result.faces.empty()) return result;
-  const Handle(ShapeBuild_ReShape) context = new ShapeBuild_ReShape;
-  ShapeFix_FixSmallFace fix;
-  fix.Init(solid);
-  fix.SetContext(context);
-  fix.SetPrecision(width);
-  result.solid = fix.FixStripFace();
-  result.history = context->History();
+  if (std::any_of(others.begin(), others.end(), goes_too)) result.entities.clear();
+  if (result.entities.empty()) return result;
+  fix_small_faces(
+      width, [](ShapeFix_FixSmallFace& fix) { return fix.FixStripFace(); }, result);
   return result;
 }
 
-StripsMerged shrink_spots(const TopoDS_Shape& solid, double width) {
-  StripsMerged result{solid, new BRepTools_History, {}};
+Repair shrink_spots(const TopoDS_Shape& solid, double width) {
+  Repair result = no_repair(solid);
   for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next())
-    if (is_spot(TopoDS::Face(it.Current()), width)) result.faces.push_back(it.Current());
-  if (result.faces.empty()) return result;
-  const Handle(ShapeBuild_ReShape) context = new ShapeBuild_ReShape;
-  ShapeFix_FixSmallFace fix;
-  fix.Init(solid);
-  fix.SetContext(context);
-  fix.SetPrecision(width);
-  result.solid = fix.FixSpotFace();
-  result.history = context->History();
+    if (is_spot(TopoDS::Face(it.Current()), width)) result.entities.push_back(it.Current());
+  if (result.entities.empty()) return result;
+  fix_small_faces(
+      width, [](ShapeFix_FixSmallFace& fix) { return fix.FixSpotFace(); }, result);
   return result;
 }
 

@@ -26,7 +26,6 @@
 namespace octet {
 namespace {
 
-constexpr double kDeflectionShare = 1.0 / 2000.0;   // of the diagonal
 constexpr double kOwnDeflectionShare = 1.0 / 50.0;  // of the diagonal of the solids at the face
 constexpr double kAngle = 0.3;                      // radians between neighbouring facets
 constexpr auto kNone = static_cast<std::uint32_t>(-1);

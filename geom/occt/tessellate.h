@@ -8,6 +8,9 @@
 
 namespace octet {
 
+/// What facets keep to where no deflection is asked for, of the part's diagonal.
+inline constexpr double kDeflectionShare = 1.0 / 2000.0;
+
 /// Triangulates the faces (their OCCT triangulation is replaced) and fills `parts.facets`, welded by
 /// topology, with measured deviations: by triangulate_boundary(), or by OCCT's mesher where that fails.
 /// `deflection` 0: a two-thousandth of the diagonal, and no more than a fiftieth of that of the solids that

@@ -139,8 +139,8 @@ class Search {
 
 }  // namespace
 
-TouchedEdgesSplit split_touched_edges(const TopoDS_Shape& solid, double width) {
-  TouchedEdgesSplit result{solid, new BRepTools_History, {}};
+Repair split_touched_edges(const TopoDS_Shape& solid, double width) {
+  Repair result = no_repair(solid);
   const Search search(solid, width);
   if (search.found.empty()) return result;
   const BRep_Builder builder;
@@ -149,7 +149,7 @@ TouchedEdgesSplit split_touched_edges(const TopoDS_Shape& solid, double width) {
     const TopoDS_Edge edge = TopoDS::Edge(search.edges()(index).Oriented(TopAbs_FORWARD));
     for (const Touch& touch : touches) builder.UpdateVertex(touch.vertex, touch.distance);
     changes->Replace(edge, pieces_of(edge, touches));
-    result.edges.push_back(edge);
+    result.entities.push_back(edge);
   }
   result.solid = changes->Apply(solid);
   result.history = changes->History();

@@ -9,14 +9,17 @@
 #include <BRepFilletAPI_MakeChamfer.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeHalfSpace.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <GC_MakeArcOfCircle.hxx>
+#include <STEPControl_Reader.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shell.hxx>
@@ -24,12 +27,14 @@
 #include <TopoDS_Wire.hxx>
 
 #include <array>
+#include <cmath>
 #include <string>
 
 #include "geom/model_check.h"
 #include "geom/occt/edge_uses.h"
 #include "geom/occt/from_shape.h"
 #include "geom/occt/hairlines.h"
+#include "geom/occt/read_part.h"
 
 namespace octet::test {
 namespace {
@@ -191,19 +196,64 @@ TEST(Defeature, ASpikeOfAFace) {
   const TopoDS_Shape part = block_with_spike(1e-4);
   ASSERT_EQ(edge_uses(part).first(&Uses::open), 0);
   ASSERT_EQ(edge_uses(part).first(&Uses::turned), 0);
-  EXPECT_TRUE(close_hairlines(part, 0.5e-4).edges.empty()) << "it is wider";
-  const HairlinesClosed closed = close_hairlines(part, 2e-4);
-  EXPECT_EQ(closed.edges.size(), 1u);
+  EXPECT_TRUE(close_hairlines(part, 0.5e-4).entities.empty()) << "it is wider";
+  const Repair closed = close_hairlines(part, 2e-4);
+  EXPECT_EQ(closed.entities.size(), 1u);
   EXPECT_EQ(edge_uses(closed.solid).first(&Uses::open), 0);
   EXPECT_EQ(edge_uses(closed.solid).edges.Extent(), 12);
   const Model model = read(part, 2e-4);
   expect_counts(model, {8, 12, 6}, 1.0, 1e-3);
-  EXPECT_NE(notes_of(model).find("1 spike(s) or slit(s) of faces of Solid 1"), std::string::npos)
+  EXPECT_NE(
+      notes_of(model).find("1 edge(s) of Solid 1 were sides of spikes or slits no wider than 0.0002 mm"),
+      std::string::npos)
       << notes_of(model);
 }
 
 TEST(Defeature, ASpikeThatRoundingLeavesIsClosedUnasked) {
   expect_counts(read(block_with_spike(1e-6), 0.0), {8, 12, 6}, 1.0, 1e-5);
+}
+
+TEST(Defeature, ARodIsNoFeature) {
+  const Model rod = read(BRepPrimAPI_MakeCylinder(1.0, 10.0).Shape(), 3.0);
+  expect_counts(rod, {2, 3, 3}, 10.0 * M_PI, 1e-9);
+  EXPECT_NE(notes_of(rod).find("Solid 1 keeps 2 small face(s)"), std::string::npos) << notes_of(rod);
+}
+
+TopoDS_Shape shape_of(const char* path) {
+  STEPControl_Reader reader;
+  if (reader.ReadFile(path) != IFSelect_RetDone || reader.TransferRoots() < 1) return {};
+  return reader.OneShape();
+}
+
+Model read_bracket(double smallest) {
+  ReadOptions options;
+  options.smallest_feature = smallest;
+  return read_part(OCTET_MODELS "/bracket.step", options);
+}
+
+/// Its fillet of radius 6 becomes an edge that one of its faces does not reach.
+TEST(Defeature, LessWhereAllWouldSpoilAFace) {
+  const Model whole = read_bracket(0.0), model = read_bracket(8.0);
+  EXPECT_NE(notes_of(model).find("features smaller than 8 mm cannot all be taken away, for "),
+            std::string::npos)
+      << notes_of(model);
+  EXPECT_NE(notes_of(model).find("those smaller than 4 mm were"), std::string::npos) << notes_of(model);
+  EXPECT_EQ(check_model(model), "");
+  EXPECT_NEAR(model.region(1).volume, whole.region(1).volume, 0.05 * whole.region(1).volume);
+}
+
+/// Where a solid is left out that was whole, the part is spoilt, too; one that was open all along is no
+/// reason.
+TEST(Defeature, LessWhereASolidWouldBeLost) {
+  BRep_Builder builder;
+  TopoDS_Compound both;
+  builder.MakeCompound(both);
+  builder.Add(both, BRepPrimAPI_MakeBox(gp_Pnt(10.5, 0.0, 0.0), 4.0, 4.0, 4.0).Shape());
+  builder.Add(both, shape_of(OCTET_MODELS "/l_domain.step"));
+  const Model model = read(both, 4.761);
+  EXPECT_EQ(model.count(3), 2);
+  EXPECT_TRUE(model.parts().faults.empty());
+  EXPECT_NE(notes_of(model).find("those smaller than 2.381 mm were"), std::string::npos) << notes_of(model);
 }
 
 }  // namespace
