@@ -19,7 +19,7 @@ void add_reading_options(CLI::App& command, ReadOptions& reading) {
       .add_option(
           "--defeature", reading.smallest_feature,
           "Take away edges shorter, and faces, spikes and slits narrower than this (mm) where the part "
-          "stays closed, and list them (default: what rounding leaves)")
+          "stays closed and keeps its volume to a twentieth, and list them (default: what rounding leaves)")
       ->type_name("LENGTH")
       ->check(CLI::PositiveNumber);
   command

@@ -2,6 +2,7 @@
 // The direction in which two faces come together, and a line search along it.
 #include "geom/face_touches.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -71,6 +72,30 @@ class Approach {
   Foot other_;  ///< of at_ on the second face
 };
 
+/// A box along the principal axes of points: tight about a thin face whichever way it lies.
+class OwnBox {
+ public:
+  explicit OwnBox(const std::vector<Vec3>& points) {
+    Vec3 centre = Vec3::Zero();
+    for (const Vec3& p : points) centre += p / static_cast<double>(points.size());
+    Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
+    for (const Vec3& p : points) second += (p - centre) * (p - centre).transpose();
+    axes_ = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(second).eigenvectors().transpose();
+    for (const Vec3& p : points) box_.add(axes_ * p);
+  }
+
+  /// No more than the square of the distance between the box and a segment.
+  [[nodiscard]] double squared_gap(const Vec3& from, const Vec3& to) const {
+    const Vec3 p = axes_ * from, q = axes_ * to;
+    const Vec3 below = box_.lo - p.cwiseMax(q), above = p.cwiseMin(q) - box_.hi;
+    return below.cwiseMax(above).cwiseMax(0.0).squaredNorm();
+  }
+
+ private:
+  Eigen::Matrix3d axes_;
+  Box3 box_;
+};
+
 /// Facets of so many times the area of their face run to and fro: its loops or its surface are damaged.
 constexpr double kWildFacets = 10.0;
 
@@ -78,26 +103,29 @@ constexpr double kWildFacets = 10.0;
 /// what these are off, meet.
 class TouchCandidates {
  public:
-  TouchCandidates(const Model& model, double near)
-      : of_(static_cast<std::size_t>(model.count(2)) + 1), boxes_(of_.size()) {
+  TouchCandidates(const Model& model, double near) : of_(static_cast<std::size_t>(model.count(2)) + 1) {
     const Facets& facets = model.facets();
     std::vector<double> area(of_.size(), 0.0);
+    std::vector<std::vector<Vec3>> corners(of_.size());
     for (std::size_t t = 0; t < facets.triangles.size(); ++t) {
       const auto [a, b, c] = facet_corners(facets, t);
-      for (const Vec3& corner : {a, b, c}) boxes_[at(facets.face[t])].add(corner);
+      corners[at(facets.face[t])].insert(corners[at(facets.face[t])].end(), {a, b, c});
       area[at(facets.face[t])] += 0.5 * (b - a).cross(c - a).norm();
     }
+    std::vector<Box3> boxes(of_.size());
     std::vector<int> order;
     for (int f = 1; f <= model.count(2); ++f) {
-      if (boxes_[at(f)].empty() || area[at(f)] > kWildFacets * model.face(f).area) continue;
-      boxes_[at(f)] = boxes_[at(f)].grown(facets.deviation[at(f)] + near);
+      own_boxes_.emplace_back(corners[at(f)]);
+      if (corners[at(f)].empty() || area[at(f)] > kWildFacets * model.face(f).area) continue;
+      for (const Vec3& p : corners[at(f)]) boxes[at(f)].add(p);
+      boxes[at(f)] = boxes[at(f)].grown(facets.deviation[at(f)] + near);
       order.push_back(f);
     }
-    const auto low = [&](int f) { return boxes_[at(f)].lo.x(); };
+    const auto low = [&](int f) { return boxes[at(f)].lo.x(); };
     std::sort(order.begin(), order.end(), [&](int f, int g) { return low(f) < low(g); });
     for (auto i = order.begin(); i != order.end(); ++i)
-      for (auto j = i + 1; j != order.end() && low(*j) <= boxes_[at(*i)].hi.x(); ++j)
-        if (boxes_[at(*i)].overlaps(boxes_[at(*j)]) && have_common_region(model.face(*i), model.face(*j)) &&
+      for (auto j = i + 1; j != order.end() && low(*j) <= boxes[at(*i)].hi.x(); ++j)
+        if (boxes[at(*i)].overlaps(boxes[at(*j)]) && have_common_region(model.face(*i), model.face(*j)) &&
             !have_common_vertex(model.face(*i), model.face(*j))) {
           of_[at(*i)].push_back(*j);
           of_[at(*j)].push_back(*i);
@@ -105,14 +133,14 @@ class TouchCandidates {
   }
 
   [[nodiscard]] const std::vector<int>& of(int face) const { return of_[at(face)]; }
-  /// Of the facets, grown by what they are off.
-  [[nodiscard]] const Box3& box(int face) const { return boxes_[at(face)]; }
+  /// About the face's facets.
+  [[nodiscard]] const OwnBox& box(int face) const { return own_boxes_[at(face) - 1]; }
 
  private:
   static std::size_t at(int face) { return static_cast<std::size_t>(face); }
 
   std::vector<std::vector<int>> of_;
-  std::vector<Box3> boxes_;
+  std::vector<OwnBox> own_boxes_;  ///< per face tag - 1
 };
 
 /// The sides of facets at which faces that touch come near to each other: those on model edges, and all of
@@ -179,8 +207,8 @@ class NearPlaces {
   void look_along(int face, const Vec3& from, const Vec3& to) {
     const double half = 0.5 * (to - from).norm();
     for (const int other : candidates_.of(face)) {
-      const double limit = deviation_of(face) + deviation_of(other) + near_, reach = half + limit;
-      if (candidates_.box(other).squared_distance(0.5 * (from + to)) > reach * reach) continue;
+      const double limit = deviation_of(face) + deviation_of(other) + near_;
+      if (candidates_.box(other).squared_gap(from, to) > limit * limit) continue;
       if (const auto found = nearest_of(from, to, other, limit))
         add({found->first, found->second, 2.0 * half, {face, other}});
     }
