@@ -52,9 +52,11 @@ void append_claims(const Model& body, const Acceptance& part, Acceptance& whole)
   for (const Claim& claim : part.claims) {
     const auto known = std::find_if(whole.claims.begin(), whole.claims.end(),
                                     [&](const Claim& c) { return c.name == claim.name; });
-    Claim& sum = known == whole.claims.end() ? whole.claims.emplace_back(claim) : *known;
-    if (known == whole.claims.end()) {
+    const bool is_first = known == whole.claims.end();
+    Claim& sum = is_first ? whole.claims.emplace_back(claim) : *known;
+    if (is_first) {
       sum.faults.clear();
+      sum.farthest.reset();
     } else {
       sum.holds = sum.holds && claim.holds;
       if (claim.worst - claim.limit > sum.worst - sum.limit) {
@@ -62,6 +64,9 @@ void append_claims(const Model& body, const Acceptance& part, Acceptance& whole)
         sum.limit = claim.limit;
       }
     }
+    if (claim.farthest && (!sum.farthest || claim.farthest->distance > sum.farthest->distance))
+      sum.farthest = {whole_ref(body, claim.farthest->entity), claim.farthest->place,
+                      claim.farthest->distance};
     append_faults(body, claim.faults, sum.faults);
     if (sum.faults.size() > kFaultsTold) sum.faults.resize(kFaultsTold);
   }
@@ -79,6 +84,7 @@ void append_report(const Model& body, const MeshReport& part, MeshReport& report
   report.cad_volume += part.cad_volume;
   report.area += part.area;
   report.cad_area += part.cad_area;
+  report.area_off += part.area_off;
   report.nodes += part.nodes;
   report.tets += part.tets;
   report.triangles += part.triangles;

@@ -24,13 +24,20 @@ void measure_mesh(const Mesh& mesh, const Model& model, MeshReport& report) {
          return sum;
        }))
     report.volume += volume;
-  for (const auto& t : mesh.triangles)
-    report.area +=
+  std::vector<double> area_on(static_cast<std::size_t>(model.count(2)) + 1, 0.0);
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto& t = mesh.triangles[i];
+    const double area =
         0.5 * (mesh.points[t[1]] - mesh.points[t[0]]).cross(mesh.points[t[2]] - mesh.points[t[0]]).norm();
+    report.area += area;
+    area_on[static_cast<std::size_t>(mesh.triangle_on[i])] += area;
+  }
   for (int r = 1; r <= model.count(3); ++r) report.cad_volume += model.region(r).volume;
   for (int f = 1; f <= model.count(2); ++f) {
     const auto& region = model.face(f).region;
-    if (region[0] != region[1]) report.cad_area += model.face(f).area;
+    if (region[0] == region[1]) continue;
+    report.cad_area += model.face(f).area;
+    report.area_off += std::abs(area_on[static_cast<std::size_t>(f)] - model.face(f).area);
   }
 }
 

@@ -95,6 +95,13 @@ std::string mesh_report_json(const RunNames& names, const Model& model, const Me
   json["quality"] = quality_json(report.quality);
   json["volume"] = measure_json(report.volume, report.cad_volume);
   json["area"] = measure_json(report.area, report.cad_area);
+  json["area"]["faces_relative_error"] = report.cad_area > 0.0 ? report.area_off / report.cad_area : 0.0;
+  if (const auto farthest = report.acceptance.farthest())
+    json["distance"] = {{"largest", farthest->distance},
+                        {"entity", model.describe(farthest->entity)},
+                        {"dim", farthest->entity.dim},
+                        {"tag", farthest->entity.tag},
+                        {"place", vec_json(farthest->place)}};
   json["times"] = Json::array();
   for (const StageTime& time : report.times)
     json["times"].push_back({{"stage", time.name},

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace octet {
 namespace {
@@ -58,6 +59,12 @@ std::string measure_line(const char* name, const char* unit, double mesh, double
   return fmt::format("  {:<9}{:.6g} {}, CAD {:.6g} ({:+.3g} %)\n", name, mesh, unit, cad, error);
 }
 
+std::string distance_line(const Model& model, const std::optional<Farthest>& farthest) {
+  if (!farthest) return {};
+  return fmt::format("  {:<9}{:.3g} mm at most, from {} at {}\n", "distance", farthest->distance,
+                     model.describe(farthest->entity), place_text(farthest->place));
+}
+
 std::string times_line(const std::vector<StageTime>& times) {
   double total = 0.0;
   std::string parts;
@@ -86,6 +93,7 @@ std::string mesh_summary(const Model& model, const MeshReport& report) {
   text += quality_line("quality", report.quality);
   text += measure_line("volume", "mm^3", report.volume, report.cad_volume);
   text += measure_line("area", "mm^2", report.area, report.cad_area);
+  text += distance_line(model, report.acceptance.farthest());
   text += times_line(report.times);
   text += note_lines(model);
   if (!report.warnings.empty())

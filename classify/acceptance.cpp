@@ -14,6 +14,13 @@ bool Acceptance::holds() const {
   return !claims.empty() && std::all_of(claims.begin(), claims.end(), [](const Claim& c) { return c.holds; });
 }
 
+std::optional<Farthest> Acceptance::farthest() const {
+  std::optional<Farthest> all;
+  for (const Claim& claim : claims)
+    if (claim.farthest && (!all || claim.farthest->distance > all->distance)) all = claim.farthest;
+  return all;
+}
+
 Acceptance accept_mesh(const Mesh& mesh, const Model& model, const AcceptanceOptions& options) {
   Acceptance result;
   result.claims.push_back(claim_numbers(mesh, model));

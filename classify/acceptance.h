@@ -2,6 +2,7 @@
 // When a mesh is right: the claims of docs/conventions.md, each with its worst place.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,13 @@
 namespace octet {
 
 /// One claim about a mesh of a model.
+/// The place of a CAD edge or face that is farthest from its chords or triangles.
+struct Farthest {
+  ModelRef entity;
+  Vec3 place = Vec3::Zero();
+  double distance = 0.0;  ///< model units
+};
+
 struct Claim {
   std::string name;       ///< short, stable: "positive-volume", "edge-chains", ...
   std::string statement;  ///< what is claimed, one sentence
@@ -19,11 +27,15 @@ struct Claim {
   double worst = 0.0;  ///< the measured figure (0 where the claim is yes or no)
   double limit = 0.0;
   std::vector<Fault> faults;  ///< the worst places first, at most ten
+  std::optional<Farthest>
+      farthest;  ///< of the claims edge-length and surface-distance, where any place is off
 };
 
 struct Acceptance {
   std::vector<Claim> claims;
   [[nodiscard]] bool holds() const;
+  /// None where the CAD's surface was not sampled, or is nowhere off the mesh.
+  [[nodiscard]] std::optional<Farthest> farthest() const;
 };
 
 struct AcceptanceOptions {

@@ -36,12 +36,17 @@ class SurfaceSampler {
  public:
   explicit SurfaceSampler(const ClaimInput& in) : in_(in) {}
 
-  /// Tells the claim what is too far; returns the worst share.
-  double run(ClaimBuilder& claim) {
+  struct Worst {
+    double share = 0.0;
+    Farthest farthest;
+  };
+
+  /// Tells the claim what is too far.
+  Worst run(ClaimBuilder& claim) {
     const Facets& facets = in_.model.facets();
     std::vector<std::vector<std::uint32_t>> on(in_.triangles_on.size());
     for (std::uint32_t f = 0; f < facets.triangles.size(); ++f) on[facets.face[f]].push_back(f);
-    double worst = 0.0;
+    Worst worst;
     for (std::size_t face = 1; face < on.size(); ++face) {
       const auto& triangles = in_.triangles_on[face];
       if (triangles.empty()) continue;  // the claim face-euler tells
@@ -56,7 +61,10 @@ class SurfaceSampler {
         return found;
       };
       for (const Found& found : map_blocks<Found>(asked_facets, kFacets, sample)) {
-        worst = std::max(worst, found.worst);
+        worst.share = std::max(worst.share, found.share);
+        if (found.farthest.distance > worst.farthest.distance)
+          worst.farthest = {model_face(static_cast<int>(face)), found.farthest.place,
+                            found.farthest.distance};
         for (const FarPlace& far : found.far)
           claim.fault(far.share, model_face(static_cast<int>(face)), far.place,
                       fmt::format("the mesh is {:.3g} away from the face, {:.2g} of its edges there",
@@ -73,7 +81,8 @@ class SurfaceSampler {
     Vec3 place;
   };
   struct Found {
-    double worst = 0.0;
+    double share = 0.0;  ///< the largest
+    FarPlace farthest;
     std::vector<FarPlace> far;
   };
 
@@ -107,8 +116,10 @@ class SurfaceSampler {
   void check(int face, const Vec3& p, Found& found) const {
     FarPlace far = distance_at(face, p);
     // Where a border bends the facets go beyond the face; on a strip, by more than its elements.
-    if (far.share > kShare) far = distance_at(face, in_.model.face_closest(face, p).point);
-    found.worst = std::max(found.worst, far.share);
+    if (far.share > found.share || far.distance > found.farthest.distance)
+      far = distance_at(face, in_.model.face_closest(face, p).point);
+    found.share = std::max(found.share, far.share);
+    if (far.distance > found.farthest.distance) found.farthest = far;
     if (far.share > kShare) found.far.push_back(far);
   }
 
@@ -127,8 +138,10 @@ Claim claim_surface_distance(const ClaimInput& in) {
   ClaimBuilder claim(
       "surface-distance",
       "No place of a CAD face is farther from its triangles than half their edges; worst: share.");
-  const double worst = SurfaceSampler(in).run(claim);
-  return claim.measured(worst, kShare);
+  const SurfaceSampler::Worst worst = SurfaceSampler(in).run(claim);
+  Claim measured = claim.measured(worst.share, kShare);
+  if (worst.farthest.entity.valid()) measured.farthest = worst.farthest;
+  return measured;
 }
 
 }  // namespace octet

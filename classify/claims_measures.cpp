@@ -35,8 +35,9 @@ double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
 
 struct PieceMeasure {
   double chord = 0.0;
-  double sagitta = 0.0;  ///< largest distance of the curve from the chord, at three places
-  double excess = 0.0;   ///< length of the curve beyond its own chord
+  double sagitta = 0.0;       ///< largest distance of the curve from the chord, at three places
+  Vec3 place = Vec3::Zero();  ///< of the sagitta
+  double excess = 0.0;        ///< length of the curve beyond its own chord
 };
 
 PieceMeasure measure_piece(const ClaimInput& in, std::uint32_t e) {
@@ -48,9 +49,13 @@ PieceMeasure measure_piece(const ClaimInput& in, std::uint32_t e) {
   const double ta = in.mesh.point_on[a].dim == 1 ? in.node_foot[a].t : edge.t0;
   const double tb = in.mesh.point_on[b].dim == 1 ? in.node_foot[b].t : edge.t1;
   if (edge.use == EdgeUse::kDegenerate || tb <= ta) return m;  // the claim edge-chains tells
-  for (const double s : {0.25, 0.5, 0.75})
-    m.sagitta = std::max(m.sagitta, distance_to_segment(in.model.edge_point(tag, ta + s * (tb - ta)),
-                                                        in.point(a), in.point(b)));
+  for (const double s : {0.25, 0.5, 0.75}) {
+    const Vec3 p = in.model.edge_point(tag, ta + s * (tb - ta));
+    const double distance = distance_to_segment(p, in.point(a), in.point(b));
+    if (distance <= m.sagitta) continue;
+    m.sagitta = distance;
+    m.place = p;
+  }
   m.excess = in.model.edge_length(tag, ta, tb) -
              (in.model.edge_point(tag, tb) - in.model.edge_point(tag, ta)).norm();
   return m;
@@ -62,6 +67,7 @@ struct EdgeSums {
   double length_error = 0.0;  ///< sum of what chords may fall short
   double area_error = 0.0;    ///< between chords and curve
   double volume_error = 0.0;
+  Farthest farthest;
 };
 
 // An arc of sagitta s over a chord c is longer by 8 s^2 / (3 c), and has the area 2 s c / 3. An S of the same
@@ -73,6 +79,7 @@ EdgeSums edge_sums(const ClaimInput& in, int tag) {
   for (const std::uint32_t e : in.pieces_on[tag]) {
     const PieceMeasure m = measure_piece(in, e);
     sums.chords += m.chord;
+    if (m.sagitta > sums.farthest.distance) sums.farthest = {model_edge(tag), m.place, m.sagitta};
     if (m.chord <= 0.0) continue;
     sums.length_error +=
         std::min(std::max(11.0 * m.sagitta * m.sagitta / m.chord, 1.1 * m.excess), 0.3 * m.chord);
@@ -185,10 +192,12 @@ Claim claim_edge_length(const ClaimInput& in) {
   ClaimBuilder claim("edge-length",
                      "Every edge's length is the CAD's within the chord error; worst: share of that.");
   double worst = 0.0;
+  Farthest farthest;
   const auto sums = all_edge_sums(in);
   for (int tag = 1; tag <= in.model.count(1); ++tag) {
     const ModelEdge& edge = in.model.edge(tag);
     if (edge.use != EdgeUse::kReal) continue;
+    if (sums[tag].farthest.distance > farthest.distance) farthest = sums[tag].farthest;
     double slack = kExact * edge.length + 2.0 * (edge.tolerance + in.model.tolerance());
     // The chain ends in the vertices, which may lie off the curve's ends.
     for (const int v : edge.vertex)
@@ -200,7 +209,9 @@ Claim claim_edge_length(const ClaimInput& in) {
         std::max(worst, compare(claim, model_edge(tag), in.model.edge_point(tag, 0.5 * (edge.t0 + edge.t1)),
                                 "the length", sums[tag].chords, edge.length, sums[tag].length_error + slack));
   }
-  return claim.measured(worst, 1.0);
+  Claim measured = claim.measured(worst, 1.0);
+  if (farthest.entity.valid()) measured.farthest = farthest;
+  return measured;
 }
 
 Claim claim_face_area(const ClaimInput& in) {

@@ -74,6 +74,7 @@ BoundaryGuard::BoundaryGuard(const Model& model, const WorkMesh& mesh, std::span
   }
   seat_all(mesh);
   measure_faces(mesh);
+  measure_pieces(mesh);
 }
 
 template <class Visit>
@@ -96,6 +97,31 @@ void BoundaryGuard::measure_faces(const WorkMesh& mesh) {
   for_each_curved_triangle(mesh, [&](int face, const std::array<VertexId, 3>& v) {
     at_first_[static_cast<std::size_t>(face)].add(fit(mesh, face, v));
   });
+  for (const Fit& fit : at_first_) most_sag_ = std::max(most_sag_, kFitGrowth * fit.sag);
+}
+
+void BoundaryGuard::measure_pieces(const WorkMesh& mesh) {
+  for (const auto& [key, tag] : mesh.pieces) {
+    const auto [a, b] = piece_ends(key);
+    most_sag_ = std::max(most_sag_, kFitGrowth * piece_sag(mesh, a, b, tag));
+  }
+}
+
+BoundaryGuard::OnEdge BoundaryGuard::on_edge(const WorkMesh& mesh, VertexId v, int edge, bool last) const {
+  if (mesh.on[v].dim == 1) return {mesh.points[v], parameter(v)};
+  const ModelEdge& model_edge = model_->edge(edge);
+  return {mesh.points[v], last ? model_edge.t1 : model_edge.t0};
+}
+
+double BoundaryGuard::piece_sag(int edge, const OnEdge& from, const OnEdge& to) const {
+  const Vec3 chord = to.point - from.point;
+  const Vec3 middle = model_->edge_point(edge, 0.5 * (from.t + to.t)) - from.point;
+  return chord.cross(middle).norm() / chord.norm();
+}
+
+double BoundaryGuard::piece_sag(const WorkMesh& mesh, VertexId a, VertexId b, std::int32_t tag) const {
+  const int edge = std::abs(tag);
+  return piece_sag(edge, on_edge(mesh, a, edge, tag < 0), on_edge(mesh, b, edge, tag > 0));
 }
 
 Seat BoundaryGuard::project(const WorkMesh& mesh, VertexId v, int face) const {
@@ -187,13 +213,13 @@ Fit BoundaryGuard::fit(const std::array<Vec3, 3>& points, const std::array<Vec3,
   return result;
 }
 
-Fit BoundaryGuard::bound(const Fit& before, double size) {
+Fit BoundaryGuard::bound(const Fit& before, double size) const {
   const double chord = std::clamp(before.bend * size * size / 8.0, kFlatSag * size, kSagBound * size);
   const auto grown = [](double from, double at_first) {
     return std::max(from, kFitGrowth * std::min(from, at_first));
   };
   return {std::max(grown(before.turn, before.turn_at_first), kTurnBound),
-          std::max(grown(before.sag, before.sag_at_first), chord)};
+          std::max(grown(before.sag, before.sag_at_first), std::min(chord, most_sag_))};
 }
 
 bool BoundaryGuard::admits(std::span<const VolumeChange> changes) const {

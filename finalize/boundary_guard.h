@@ -70,10 +70,26 @@ class BoundaryGuard {
   /// The worst that triangles made from ones of fit `before` may have, where the local size is `size`: as far
   /// from the face as before or a twentieth more, as long as the face had such at first, or as an edge of
   /// that size is at the curvature there.
-  [[nodiscard]] static Fit bound(const Fit& before, double size);
+  /// What was nearer never gets farther than the farthest of the whole part at first, and a twentieth more.
+  [[nodiscard]] Fit bound(const Fit& before, double size) const;
   [[nodiscard]] static bool within(const Fit& fit, const Fit& bound) {
     return fit.turn <= bound.turn && fit.sag <= bound.sag;
   }
+
+  /// A place on a model edge.
+  struct OnEdge {
+    Vec3 point;
+    double t = 0.0;
+  };
+  /// A vertex in the closure of a model edge; `last` tells the ends apart.
+  [[nodiscard]] OnEdge on_edge(const WorkMesh& mesh, VertexId v, int edge, bool last) const;
+  /// Distance of the middle of a piece of a model edge from its chord.
+  [[nodiscard]] double piece_sag(int edge, const OnEdge& from, const OnEdge& to) const;
+  /// The same in the mesh; `tag` as `piece_on` has it.
+  [[nodiscard]] double piece_sag(const WorkMesh& mesh, VertexId a, VertexId b, std::int32_t tag) const;
+  /// The farthest that faces and edges were from the mesh at first, by estimated sagittae, and a twentieth
+  /// more.
+  [[nodiscard]] double most_sag() const { return most_sag_; }
 
   /// Whether the regions' volumes may change so: nearer to the exact volume, or within a small share of it,
   /// or a tenth beyond the error that was there at first.
@@ -107,12 +123,14 @@ class BoundaryGuard {
   template <class Visit>
   void for_each_curved_triangle(const WorkMesh& mesh, const Visit& visit) const;
   void measure_faces(const WorkMesh& mesh);
+  void measure_pieces(const WorkMesh& mesh);
   [[nodiscard]] Seat project(const WorkMesh& mesh, VertexId v, int face) const;
 
   const Model* model_;
-  std::vector<char> planar_;                        ///< per face tag
-  std::vector<Vec3> plane_normal_;                  ///< per face tag
-  std::vector<Fit> at_first_;                       ///< per face tag: the worst of its triangles
+  std::vector<char> planar_;        ///< per face tag
+  std::vector<Vec3> plane_normal_;  ///< per face tag
+  std::vector<Fit> at_first_;       ///< per face tag: the worst of its triangles
+  double most_sag_ = 0.0;
   std::vector<Seat> on_face_;                       ///< per vertex: of vertices inside a face
   std::vector<char> on_face_known_;                 ///< per vertex
   std::unordered_map<std::uint64_t, Seat> on_rim_;  ///< (vertex, face): of vertices on edges; looked up only

@@ -154,7 +154,7 @@ bool draft_triangles(Workshop& shop, VertexId gone, VertexId kept, const std::ve
   }
   // Not the longest edge alone: collapse by collapse it would grow, and the distance allowed with it.
   const double size = curved ? std::min(longest, shop.options.size_at(mesh.points[gone])) : longest;
-  if (!BoundaryGuard::within(draft.after, BoundaryGuard::bound(draft.before, size))) return false;
+  if (!BoundaryGuard::within(draft.after, shop.guard.bound(draft.before, size))) return false;
   if (!curved) return true;
   const auto volume = [&](const std::array<VertexId, 4>& v) {
     return signed_volume(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], mesh.points[v[3]]);
@@ -222,14 +222,20 @@ bool collapse(Workshop& shop, VertexId gone, VertexId kept, double floor, bool f
   std::vector<std::array<VertexId, 2>> removed_pieces;
   std::vector<NewPiece> added_pieces;
   if (mesh.on[gone].dim == 1) {
+    double most_sag = shop.guard.most_sag();
     for (const VertexId v : neighbourhood(mesh, gone, tets).all) {
       const std::int32_t tag = piece_on(mesh, gone, v);
       if (tag == 0) continue;
       removed_pieces.push_back({gone, v});
+      most_sag = std::max(most_sag, shop.guard.piece_sag(mesh, gone, v, tag));
       if (v == kept) continue;
       added_pieces.push_back(tag > 0 ? NewPiece{kept, v, tag} : NewPiece{v, kept, -tag});
       if (cuts_a_bend(shop, added_pieces.back())) return false;
     }
+    if (std::any_of(added_pieces.begin(), added_pieces.end(), [&](const NewPiece& piece) {
+          return shop.guard.piece_sag(mesh, piece.from, piece.to, piece.edge) > most_sag;
+        }))
+      return false;
   }
   change.removed_pieces = removed_pieces;
   change.added_pieces = added_pieces;

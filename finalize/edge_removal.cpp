@@ -182,7 +182,7 @@ bool swap_fits(const Workshop& shop, const SurfaceSwap& swap) {
   if (!shop.guard.planar(swap.before[0].face)) {
     longest = std::min(longest, shop.options.size_at(shop.mesh.points[swap.before[0].vertices[0]]));
   }
-  return BoundaryGuard::within(after, BoundaryGuard::bound(before, longest));
+  return BoundaryGuard::within(after, shop.guard.bound(before, longest));
 }
 
 /// The chord from the first to the last vertex must be new, or, where it is the far edge of a tetrahedron

@@ -68,9 +68,25 @@ void local_bases(const WorkMesh& mesh, VertexId v, std::span<const TetId> tets, 
   star.length = star.bases.mean_length(mesh.points[v]);
 }
 
+/// A piece is in at least one triangle with either end.
+void local_pieces(const Workshop& shop, VertexId v, LocalStar& star) {
+  std::array<VertexId, 2> ends;
+  star.piece_bound = shop.guard.most_sag();
+  for (const StarTriangle& triangle : star.triangles)
+    for (const VertexId end : triangle.rim) {
+      if (end == ends[0] || end == ends[1] || star.piece_ends.size() == ends.size()) continue;
+      const std::int32_t tag = piece_on(shop.mesh, v, end);
+      if (tag == 0) continue;
+      ends[star.piece_ends.size()] = end;
+      star.piece_ends.push_back(shop.guard.on_edge(shop.mesh, end, star.on.tag, tag > 0));
+      star.piece_bound = std::max(star.piece_bound, shop.guard.piece_sag(shop.mesh, v, end, tag));
+    }
+}
+
 void local_triangles(const Workshop& shop, VertexId v, std::span<const TetId> tets, LocalStar& star) {
   star.triangles.clear();
   star.faces.clear();
+  star.piece_ends.clear();
   if (star.on.dim == 3) return;
   for (const TetId t : tets) collect_triangles(shop.mesh, t, v, star.triangles);
   Fit before;
@@ -79,6 +95,7 @@ void local_triangles(const Workshop& shop, VertexId v, std::span<const TetId> te
     before.add(shop.guard.fit(shop.mesh, triangle.face, {v, triangle.rim[0], triangle.rim[1]}));
   }
   dress_triangles(shop, star, before, star.length);
+  if (star.on.dim == 1) local_pieces(shop, v, star);
 }
 
 void local_star(const Workshop& shop, VertexId v, std::span<const TetId> tets, LocalStar& star) {
@@ -87,7 +104,8 @@ void local_star(const Workshop& shop, VertexId v, std::span<const TetId> tets, L
 }
 
 void dress_triangles(const Workshop& shop, LocalStar& star, const Fit& before, double size) {
-  star.bound = BoundaryGuard::bound(before, size);
+  star.bound = shop.guard.bound(before, size);
+  star.piece_ends.clear();
   star.rims.clear();
   star.normals.clear();
   star.faces.clear();
@@ -151,6 +169,8 @@ StarMeasure measure(LocalStar& star, const Vec3& place, double floor) {
 
 bool triangles_fit(const Workshop& shop, const LocalStar& star, const Stand& stand) {
   if (star.on.dim == 2 && beyond_border(shop, star.on.tag, stand)) return false;
+  for (const BoundaryGuard::OnEdge& end : star.piece_ends)
+    if (shop.guard.piece_sag(star.on.tag, {stand.point, stand.t}, end) > star.piece_bound) return false;
   for (std::size_t i = 0; i < star.triangles.size(); ++i) {
     const int face = star.triangles[i].face;
     // On a plane they neither turn nor leave it while their tetrahedra are positive.

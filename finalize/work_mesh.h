@@ -95,6 +95,12 @@ void take_back(WorkMesh& mesh);
   return (hi << 32) | lo;
 }
 
+/// The smaller vertex first.
+[[nodiscard]] inline std::array<VertexId, 2> piece_ends(std::uint64_t key) {
+  return {VertexId(static_cast<std::size_t>(key & 0xffffffffu)),
+          VertexId(static_cast<std::size_t>(key >> 32))};
+}
+
 /// Signed tag of the piece as seen from a to b (positive when the model edge runs so), 0 when there is none.
 [[nodiscard]] std::int32_t piece_on(const WorkMesh& mesh, VertexId a, VertexId b);
 void add_piece(WorkMesh& mesh, VertexId a, VertexId b, std::int32_t signed_tag);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What `octet mesh`, `info` and `check` promise about their outputs, on the bracket.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -35,6 +36,14 @@ TEST(MeshCommand, MeshesTheBracketCompletely) {
   EXPECT_GT(report["tets"].get<int>(), 100);
   EXPECT_TRUE(report["faults"].empty());
   EXPECT_LT(std::abs(report["volume"]["relative_error"].get<double>()), 0.02);
+  const double of_faces = report["area"]["faces_relative_error"].get<double>();
+  EXPECT_GT(of_faces, std::abs(report["area"]["relative_error"].get<double>()));
+  EXPECT_LT(of_faces, 0.01);
+  EXPECT_GT(report["distance"]["largest"].get<double>(), 0.0);
+  EXPECT_LT(report["distance"]["largest"].get<double>(), 0.1 * report["size"].get<double>());
+  EXPECT_NE(run.out.find("distance " + fmt::format("{:.3g} mm", report["distance"]["largest"].get<double>())),
+            std::string::npos)
+      << run.out;
   EXPECT_EQ(out.names(), (std::vector<std::string>{"a.json", "a.msh"}));
 }
 

@@ -95,6 +95,19 @@ TEST(Acceptance, ACylinderPassesAtEverySize) {
   }
 }
 
+TEST(Acceptance, TellsTheFarthestPlaceOfTheSurface) {
+  const Model model = analytic_cylinder(2.0, 5.0);
+  for (const int around : {6, 12, 40}) {
+    const auto farthest =
+        accept_mesh(test::cylinder_mesh(model, 2.0, 5.0, around, 1 + around / 4), model).farthest();
+    ASSERT_TRUE(farthest);
+    EXPECT_EQ(farthest->entity.dim, 1) << "the middles of chords are farther than any place between";
+    EXPECT_NEAR(farthest->distance, 2.0 * (1.0 - std::cos(M_PI / around)), 1e-12);
+    EXPECT_NEAR(farthest->place.head<2>().norm(), 2.0, 1e-12);
+  }
+  EXPECT_FALSE(Acceptance{}.farthest());
+}
+
 TEST(Acceptance, NothingIsAnEmptyMeshButNotARightOne) {
   EXPECT_FALSE(accept_mesh({}, box()).holds());
   EXPECT_FALSE(Acceptance{}.holds());

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "base/error.h"
+#include "classify/acceptance.h"
 #include "mesh/forbidden.h"
 #include "mesh/quality.h"
 #include "tests/finalize/parts.h"
@@ -46,6 +47,25 @@ TEST(Finalize, BringsAJitteredBoxWithFlatTetrahedraToTwentyDegreesAndKeepsItsVol
   EXPECT_GE(report.min_dihedral_after, 20.0 * kDegree);
   EXPECT_EQ(report.below_target, 0u);
   EXPECT_NEAR(testing::total_volume(part.mesh), 0.96, 1e-12);
+}
+
+double farthest(const Part& part) {
+  const auto found = accept_mesh(part.mesh, part.model).farthest();
+  return found ? found->distance : 0.0;
+}
+
+/// Short edges are collapsed, for the size is three times what the mesh has, but not so that chords and
+/// triangles leave the cylinder.
+TEST(Finalize, LeavesTheSurfaceNoFartherThanItWas) {
+  Part part = testing::cylinder_part(16);
+  testing::Dice dice(5);
+  testing::jitter(part.mesh, part.model, 0.02, dice);
+  const double before = farthest(part);
+  const std::size_t nodes = part.mesh.points.size();
+  finalize_and_check(part, 0.4);
+  EXPECT_LT(part.mesh.points.size(), nodes);
+  EXPECT_GT(before, 0.0);
+  EXPECT_LT(farthest(part), 1.1 * before);
 }
 
 Part jittered_box() {
