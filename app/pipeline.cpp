@@ -61,12 +61,15 @@ constexpr double kRoomyClearance = 0.6;
 /// narrow holes in one take 400; where they do not, octants take thousands.
 constexpr std::size_t kPointsPerOctant = 1000;
 
-Fault warning_of(const WideGap& gap) {
+/// Where features were taken away it is they who leave such gaps: no mending helps.
+Fault warning_of(const WideGap& gap, const Model& part) {
+  const bool taken_away = gap.gap <= 2.0 * part.parts().taken_away;
   const char* what = gap.entity.dim == 1 ? "runs beside its faces" : "lies off the ends of its edges";
   return {
       gap.entity, gap.place,
       fmt::format("it {} by up to {:.3g} mm, {:.2g} of the size there", what, gap.gap, gap.gap / gap.local),
-      "mend the part there, or ask for a larger size"};
+      taken_away ? "features were taken away here: ask for a larger size, or take away less of them"
+                 : "mend the part there, or ask for a larger size"};
 }
 
 Fault fault_of(const FaceTouch& touch, const Model& model) {
@@ -145,7 +148,7 @@ class Run {
     plan_ = plan_sizes(model_, options_);
     result_.report.size = plan_.asked;
     for (const WideGap& gap : wide_gaps(part_, plan_.asked))
-      result_.report.warnings.push_back(warning_of(gap));
+      result_.report.warnings.push_back(warning_of(gap, part_));
     refuse_crossings();
     octant_ = octant_request(plan_).size;
     seeds_.size = octant_;

@@ -62,6 +62,7 @@ class Extract {
   [[nodiscard]] Model body(const ModelParts& whole) const {
     ModelParts parts;
     parts.unit = whole.unit;
+    parts.taken_away = whole.taken_away;
     copy_vertices(whole, parts);
     copy_edges(whole, parts);
     copy_faces(whole, parts);

@@ -117,10 +117,11 @@ struct ModelParts {
   std::vector<std::shared_ptr<const Trim>> trims;        ///< per face
   Facets facets;
   std::string unit = "millimetre";  ///< of the file; coordinates here are millimetre
-  bool apart = false;               ///< bodies (geom/bodies.h) may touch or overlap though they share nothing
-  std::vector<std::string> notes;   ///< what was healed, fused or found odd at load
-  std::vector<Fault> faults;        ///< what of the file the model is not: solids left out or not joined
-  Provenance provenance;            ///< empty for a model that no file made
+  double taken_away = 0.0;  ///< features no larger went at load (ReadOptions::smallest_feature); 0: none
+  bool apart = false;       ///< bodies (geom/bodies.h) may touch or overlap though they share nothing
+  std::vector<std::string> notes;  ///< what was healed, fused or found odd at load
+  std::vector<Fault> faults;       ///< what of the file the model is not: solids left out or not joined
+  Provenance provenance;           ///< empty for a model that no file made
   /// By dimension and tag: the number by which the user knows an entity of a body that was taken out of a
   /// whole ([0] unused). Empty: the tag.
   std::array<std::vector<int>, 4> whole_tag;
