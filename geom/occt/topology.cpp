@@ -7,6 +7,7 @@
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
 #include <GeomAdaptor_Surface.hxx>
+#include <Geom_BSplineSurface.hxx>
 #include <Geom_Surface.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -207,6 +208,22 @@ bool has_extent(const TopoDS_Face& face, const Surface& surface) {
   return false;
 }
 
+/// The least weight of a rational surface over its largest; 1 for others.
+double least_weight_share(const TopoDS_Face& face) {
+  TopLoc_Location place;
+  const Handle(Geom_BSplineSurface) spline =
+      Handle(Geom_BSplineSurface)::DownCast(BRep_Tool::Surface(face, place));
+  if (spline.IsNull() || !(spline->IsURational() || spline->IsVRational())) return 1.0;
+  const TColStd_Array2OfReal& weights = *spline->Weights();
+  double least = weights(1, 1), largest = least;
+  for (int i = weights.LowerRow(); i <= weights.UpperRow(); ++i)
+    for (int j = weights.LowerCol(); j <= weights.UpperCol(); ++j) {
+      least = std::min(least, weights(i, j));
+      largest = std::max(largest, weights(i, j));
+    }
+  return least / largest;
+}
+
 }  // namespace
 
 void make_geometry(const Numbering& numbering, ModelParts& parts) {
@@ -221,6 +238,13 @@ void make_geometry(const Numbering& numbering, ModelParts& parts) {
       throw ModelError(
           fmt::format("Face {} has a surface without extent: a radius of it is zero, or no number", tag),
           model_face(tag));
+    // Such a pole is met nowhere but at a point, where the surface is infinitely fast.
+    constexpr double kLeastWeightShare = 1e-9;
+    if (const double share = least_weight_share(numbering.face(tag)); share < kLeastWeightShare)
+      throw ModelError(fmt::format("Face {} has a spline surface whose weights differ by a factor of {:.1g}: "
+                                   "questions about it have no end",
+                                   tag, 1.0 / share),
+                       model_face(tag));
     parts.trims[tag] = make_trim(numbering.face(tag), *parts.surfaces[tag]);
   }
 }

@@ -140,6 +140,19 @@ TEST(ReadPart, RefusesASurfaceWithoutExtent) {
       << error_of(file.path());
 }
 
+TEST(ReadPart, RefusesWeightsThatDifferByTwelveOrders) {
+  // A surface that runs through its corner at 1e12 times the speed of elsewhere: its cuts took minutes.
+  std::string text = content_of(fs::path(OCTET_MODELS) / "blade.step");
+  const std::size_t at = text.find("RATIONAL_B_SPLINE_SURFACE");
+  const std::size_t weight = text.find("1.)", at);
+  ASSERT_NE(weight, std::string::npos);
+  text.replace(weight, 2, "1.E-12");
+  const TemporaryFile file("weights.step", text);
+  EXPECT_NE(error_of(file.path()).find("has a spline surface whose weights differ by a factor of 1e+12"),
+            std::string::npos)
+      << error_of(file.path());
+}
+
 TEST(ReadPart, NamesAMissingFile) {
   EXPECT_NE(error_of("/nonexistent/part.step").find("does not exist"), std::string::npos);
 }
