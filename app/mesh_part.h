@@ -54,8 +54,7 @@ struct MeshReport {
   Acceptance acceptance;
   double volume = 0.0, cad_volume = 0.0;
   double area = 0.0, cad_area = 0.0;
-  double area_off =
-      0.0;  ///< of all faces, how far each one's area is from the CAD's: these do not cancel out
+  double area_off = 0.0;  ///< sum of the faces' |area - CAD's area|
   std::size_t nodes = 0, tets = 0, triangles = 0;
   std::size_t attribute_points = 0, rounds = 0;
   std::size_t template_tets = 0;  ///< of the tetrahedra: emitted from octant templates

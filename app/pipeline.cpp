@@ -61,9 +61,13 @@ constexpr double kRoomyClearance = 0.6;
 /// narrow holes in one take 400; where they do not, octants take thousands.
 constexpr std::size_t kPointsPerOctant = 1000;
 
+/// Gaps up to so many times the size of the features taken away are of them: edges stretched over a feature
+/// leave the faces by no more than its width to either side.
+constexpr double kGapOfFeature = 2.0;
+
 /// Where features were taken away it is they who leave such gaps: no mending helps.
 Fault warning_of(const WideGap& gap, const Model& part) {
-  const bool taken_away = gap.gap <= 2.0 * part.parts().taken_away;
+  const bool taken_away = gap.gap <= kGapOfFeature * part.parts().taken_away;
   const char* what = gap.entity.dim == 1 ? "runs beside its faces" : "lies off the ends of its edges";
   return {
       gap.entity, gap.place,

@@ -14,7 +14,6 @@ that meet an octant the smallest counts.
 
 Needs numpy, matplotlib and CalculiX (ccx).
 """
-import argparse
 import os
 import subprocess
 import sys
@@ -22,8 +21,9 @@ import tempfile
 
 import numpy as np
 
-ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-PART = os.path.join(ROOT, "models", "l_domain.step")
+import calculix
+
+PART = os.path.join(calculix.ROOT, "models", "l_domain.step")
 RADIUS = 10.0  # of the part: half its width
 
 DECK = """*INCLUDE, INPUT=mesh.inp
@@ -143,16 +143,8 @@ def halved(corners):
 def solve(ccx, folder, mesh):
     walls = mesh.walls()
     lines = [f"{n + 1}, 11, 11, {u:.9e}" for n, u in zip(walls, exact(mesh.points[walls]))]
-    with open(os.path.join(folder, "heat.inp"), "w", encoding="ascii") as deck:
-        deck.write(DECK.format(body=mesh.body, walls="\n".join(lines)))
-    subprocess.run([ccx, "heat"], cwd=folder, check=True, capture_output=True)
-    values = np.full(len(mesh.points), np.nan)
-    with open(os.path.join(folder, "heat.dat"), encoding="ascii") as file:
-        for words in map(str.split, file):
-            if len(words) == 2 and words[0].isdigit():
-                values[int(words[0]) - 1] = float(words[1])
-    if np.isnan(values).any():
-        raise RuntimeError("CalculiX gave no temperature at some nodes")
+    deck = DECK.format(body=mesh.body, walls="\n".join(lines))
+    values = calculix.solve(ccx, folder, deck, len(mesh.points), 1)[0][:, 0]
     values[walls] = exact(mesh.points[walls])
     return values
 
@@ -197,18 +189,13 @@ def adapted(args, folder):
 
 def slope(found):
     """Of the second half of the points."""
-    last = np.log(np.array(found[len(found) // 2:]))
-    return np.polyfit(last[:, 0], last[:, 1], 1)[0]
+    return calculix.line(found[len(found) // 2:])[0]
 
 
 def plot(path, results):
-    import matplotlib
+    from mesh_view import save, subplots
 
-    matplotlib.use("Agg")
-    from matplotlib import pyplot
-    from mesh_view import save
-
-    figure, axes = pyplot.subplots(figsize=(5.2, 3.8), dpi=110)
+    figure, axes = subplots(figsize=(5.2, 3.8), dpi=110)
     for (name, found), mark in zip(results.items(), ("s-", "o-")):
         axes.loglog(*zip(*found), mark, label=f"{name}: slope {slope(found):.2f}", markersize=4)
     axes.set(xlabel="unknowns", ylabel="error of the gradient", title="L-shaped domain, CalculiX")
@@ -219,13 +206,9 @@ def plot(path, results):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--octet", default=os.path.join(ROOT, "build", "app", "octet"))
-    parser.add_argument("--ccx", default="ccx")
+    parser = calculix.arguments(__doc__)
     parser.add_argument("--unknowns", type=int, default=60000, help="end with the first mesh of so many")
-    parser.add_argument("-o", "--output", help="PNG to write")
     args = parser.parse_args()
-    args.octet = os.path.abspath(args.octet)
     results = {}
     for name, run in (("uniform", uniform), ("adapted", adapted)):
         with tempfile.TemporaryDirectory() as folder:

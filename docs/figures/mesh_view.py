@@ -53,6 +53,16 @@ def draw(axes, points, triangles, colours, towards=(1.0, -1.4, 1.5)):
     axes.axis("off")
 
 
+def subplots(*shape, **options):
+    """pyplot.subplots, without a screen."""
+    import matplotlib
+
+    matplotlib.use("Agg")
+    from matplotlib import pyplot
+
+    return pyplot.subplots(*shape, **options)
+
+
 def save(figure, path):
     """A PNG of few colours, a third as large as others."""
     import io

@@ -12,7 +12,7 @@ import subprocess
 import tempfile
 
 import numpy as np
-from mesh_view import boundary_of, draw, save
+from mesh_view import boundary_of, draw, save, subplots
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 PART = os.path.join(ROOT, "models", "bracket.step")
@@ -26,16 +26,11 @@ MESHES = {
 
 
 def main():
-    import matplotlib
-
-    matplotlib.use("Agg")
-    from matplotlib import pyplot
-
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--octet", default=os.path.join(ROOT, "build", "app", "octet"))
     parser.add_argument("-o", "--output", default=os.path.join(ROOT, "docs", "size_controls.png"))
     args = parser.parse_args()
-    figure, panels = pyplot.subplots(1, 3, figsize=(12, 3.6), dpi=100)
+    figure, panels = subplots(1, 3, figsize=(12, 3.6), dpi=100)
     with tempfile.TemporaryDirectory() as folder:
         for axes, (title, options) in zip(panels, MESHES.items()):
             mesh = os.path.join(folder, "a.vtu")

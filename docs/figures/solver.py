@@ -20,7 +20,6 @@ in the logarithms tells; Cholesky a tenth more at most.
 
 Netgen is Debian's python3-netgen (apt-get install python3-netgen calculix-ccx python3-numpy python3-matplotlib).
 """
-import argparse
 import os
 import re
 import subprocess
@@ -29,7 +28,8 @@ import tempfile
 
 import numpy as np
 
-ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+import calculix
+
 YOUNG, POISSON = 1.0, 0.3
 SHEAR = YOUNG / (2 * (1 + POISSON))
 
@@ -116,7 +116,7 @@ class Mesh:
 
 
 class Cantilever:
-    name, part = "cantilever", os.path.join(ROOT, "models", "box.step")
+    name, part = "cantilever", os.path.join(calculix.ROOT, "models", "box.step")
     low, high = np.zeros(3), np.array([10.0, 20.0, 30.0])
     curvature = 1e-3
 
@@ -145,7 +145,7 @@ class Cantilever:
 
 
 class Plate:
-    name, part = "plate", os.path.join(ROOT, "models", "plate_with_hole.step")
+    name, part = "plate", os.path.join(calculix.ROOT, "models", "plate_with_hole.step")
     low, high, centre, radius = np.zeros(3), np.array([40.0, 30.0, 1.0]), np.array([20.0, 15.0, 0.0]), 6.0
     tension = 1e-3
 
@@ -178,21 +178,12 @@ def solve(ccx, folder, mesh, problem, solver):
         ", ".join([str(i + first)] + [form(x) for x in row]) for i, row in enumerate(table))
     fixed = problem.fixed(mesh)
     loads = "".join(f"{n + 1}, {axis + 1}, {force:.12e}\n" for n, axis, force in problem.loads(mesh))
-    with open(os.path.join(folder, "solve.inp"), "w", encoding="ascii") as deck:
-        deck.write(DECK.format(
-            nodes=rows(1, mesh.points, lambda x: f"{x:.12e}"), elements=rows(1, mesh.tets + 1, str), young=YOUNG,
-            poisson=POISSON, solver=solver, loads="*CLOAD\n" + loads if loads else "",
-            fixed="\n".join(f"{n + 1}, {a + 1}, {a + 1}, {exact[n, a]:.12e}" for n, axes in fixed for a in axes)))
-    told = subprocess.run([ccx, "solve"], cwd=folder, capture_output=True, text=True).stdout
-    iterations = [int(n) for n in re.findall(r"iteration=\s*(\d+)", told)]
-    u = np.full((len(mesh.points), 3), np.nan)
-    with open(os.path.join(folder, "solve.dat"), encoding="ascii") as file:
-        for words in map(str.split, file):
-            if len(words) == 4 and words[0].isdigit():
-                u[int(words[0]) - 1] = [float(w) for w in words[1:]]
-    if np.isnan(u).any() or not iterations:
-        raise RuntimeError("CalculiX gave no answer:\n" + told[-2000:])
-    return u, max(iterations)
+    deck = DECK.format(
+        nodes=rows(1, mesh.points, lambda x: f"{x:.12e}"), elements=rows(1, mesh.tets + 1, str), young=YOUNG,
+        poisson=POISSON, solver=solver, loads="*CLOAD\n" + loads if loads else "",
+        fixed="\n".join(f"{n + 1}, {a + 1}, {a + 1}, {exact[n, a]:.12e}" for n, axes in fixed for a in axes))
+    u, told = calculix.solve(ccx, folder, deck, len(mesh.points), 3)
+    return u, max(int(n) for n in re.findall(r"iteration=\s*(\d+)", told))
 
 
 def run_mesher(args, name, problem, size, path):
@@ -217,25 +208,19 @@ def meshed(args, name, problem, tets, folder):
     return mesh
 
 
-def slope(rows, column):
-    table = np.log([[row["tets"], row[column]] for row in rows])
-    return np.polyfit(table[:, 0], table[:, 1], 1)[0]
+def line(rows, column):
+    return calculix.line([(row["tets"], row[column]) for row in rows])
 
 
-def at(rows, column, tets):
-    """By a line through the rows in the logarithms."""
-    table = np.log([[row["tets"], row[column]] for row in rows])
-    return np.exp(np.polyval(np.polyfit(table[:, 0], table[:, 1], 1), np.log(tets)))
+def order(rows):
+    """Of the error, in the mesh size."""
+    return -3 * line(rows, "error")[0]
 
 
 def plot(path, results):
-    import matplotlib
+    from mesh_view import save, subplots
 
-    matplotlib.use("Agg")
-    from matplotlib import pyplot
-    from mesh_view import save
-
-    figure, axes = pyplot.subplots(1, 2, figsize=(8.4, 3.6), dpi=110)
+    figure, axes = subplots(1, 2, figsize=(8.4, 3.6), dpi=110)
     for (problem, mesher), rows in results.items():
         look = {"marker": "o" if mesher == "octet" else "s", "markersize": 4,
                 "linestyle": "-" if problem == "cantilever" else "--",
@@ -256,13 +241,9 @@ def plot(path, results):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--octet", default=os.path.join(ROOT, "build", "app", "octet"))
-    parser.add_argument("--ccx", default="ccx")
+    parser = calculix.arguments(__doc__)
     parser.add_argument("--tets", default="1e4,3e4,1e5,3e5")
-    parser.add_argument("-o", "--output", help="PNG to write")
     args = parser.parse_args()
-    args.octet = os.path.abspath(args.octet)
     results, good = {}, True
     print("| problem | mesher | tetrahedra | error of displacement | answer over exact | iterations: scaling | Cholesky |\n"
           "|---|---|---|---|---|---|---|")
@@ -283,11 +264,11 @@ def main():
                       f"{scaling} | {cholesky} |", flush=True)
     for problem in ("cantilever", "plate"):
         ours, theirs = results[problem, "octet"], results[problem, "netgen"]
-        order = -3 * slope(ours, "error")
-        shares = {c: np.mean([row[c] / at(theirs, c, row["tets"]) for row in ours]) for c in ("scaling", "cholesky")}
-        print(f"{problem}: error goes with h^{order:.2f} (Netgen h^{-3 * slope(theirs, 'error'):.2f}); iterations over "
+        shares = {c: np.mean([row[c] / np.exp(np.polyval(line(theirs, c), np.log(row["tets"]))) for row in ours])
+                  for c in ("scaling", "cholesky")}
+        print(f"{problem}: error goes with h^{order(ours):.2f} (Netgen h^{order(theirs):.2f}); iterations over "
               f"Netgen's: {shares['scaling']:.2f} with scaling, {shares['cholesky']:.2f} with Cholesky")
-        good = good and order > 1.9 and shares["scaling"] <= 1.0 and shares["cholesky"] <= 1.1
+        good = good and order(ours) > 1.9 and shares["scaling"] <= 1.0 and shares["cholesky"] <= 1.1
     if args.output:
         plot(args.output, results)
     return 0 if good else 1

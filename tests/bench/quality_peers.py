@@ -7,10 +7,10 @@
 
 Every mesher meshes each part at its own size for about the wanted number of tetrahedra (what is finer for the part's
 own sake stays so), with one thread. A cell holds the count; the least dihedral angle of the elements that the part
-does not limit, and of all; the largest of all; the 1st percentile of the elements' least angles; the mean of their
-mean ratios; and CPU seconds of the whole run. All by `octet quality`. Netgen's files name no model edges, so sharp
-edges cannot be told there, and the first angle is `-`. A mesh of less than a third of the tetrahedra is `not the size`: Debian's Netgen
-does not divide some edges.
+does not limit, and of all; the largest of those not limited; the 1st percentile of the elements' least angles; the
+mean of their mean ratios; and CPU seconds of the whole run. All by `octet quality`. Netgen's files name no model
+edges, so sharp edges cannot be told there, and the first angle is `-`. A mesh of less than a third of the tetrahedra
+is `not the size`: Debian's Netgen does not divide some edges.
 
 gmsh is Debian's `gmsh -3`; netgen Debian's python3-netgen under /usr/bin/python3 (apt-get install gmsh
 python3-netgen); gmsh+netgen is Gmsh's mesh after Netgen's optimizer for volumes, called from there, for Debian's Gmsh
@@ -83,7 +83,7 @@ def shapes(mesh):
     # Where all elements are limited, or none, there is no second table.
     free = {measure["name"]: measure for measure in told.get("without_limited") or told["all"]}
     return {"tets": told["tets"], "free": free["smallest dihedral"]["least"],
-            "all": of_all["smallest dihedral"]["least"], "largest": of_all["largest dihedral"]["largest"],
+            "all": of_all["smallest dihedral"]["least"], "largest": free["largest dihedral"]["largest"],
             "p1": of_all["smallest dihedral"]["p1"], "ratio": of_all["mean ratio"]["mean"]}
 
 
