@@ -27,8 +27,7 @@ void measure_mesh(const Mesh& mesh, const Model& model, MeshReport& report) {
   std::vector<double> area_on(static_cast<std::size_t>(model.count(2)) + 1, 0.0);
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const auto& t = mesh.triangles[i];
-    const double area =
-        0.5 * (mesh.points[t[1]] - mesh.points[t[0]]).cross(mesh.points[t[2]] - mesh.points[t[0]]).norm();
+    const double area = triangle_area(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);
     report.area += area;
     area_on[static_cast<std::size_t>(mesh.triangle_on[i])] += area;
   }

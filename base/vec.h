@@ -11,6 +11,10 @@ namespace octet {
 using Vec2 = Eigen::Vector2d;
 using Vec3 = Eigen::Vector3d;
 
+[[nodiscard]] inline double triangle_area(const Vec3& a, const Vec3& b, const Vec3& c) {
+  return 0.5 * (b - a).cross(c - a).norm();
+}
+
 /// An axis-aligned box; empty when default-constructed.
 struct Box3 {
   Vec3 lo = Vec3::Constant(std::numeric_limits<double>::infinity());

@@ -32,17 +32,24 @@ constexpr double kFlatSag = 0.03;
 /// shear, and any nearer bound refuses half of all swaps there (a plug's rounded rim: 12 degrees in place of
 /// 31).
 constexpr double kFitGrowth = 1.05;
-/// Error allowed of a region's volume, as a share of it, or of the error that was there: where the chords of
-/// round faces alone err by more, any smaller bound would refuse half of all moves (a torus stayed at 18
-/// degrees in place of 29). A share of 2e-3 made no better shapes, and errors of 2.6e-4 grew to it.
-constexpr double kVolumeBound = 1e-4;
-constexpr double kVolumeGrowth = 1.1;
+/// Error allowed of a region's volume and of all faces' areas, as a share of it, or of the error that was
+/// there: where the chords of round faces alone err by more, any smaller bound would refuse half of all moves
+/// (a torus stayed at 18 degrees in place of 29). A share of 2e-3 made no better shapes, and errors of 2.6e-4
+/// grew to it.
+constexpr double kMeasureBound = 1e-4;
+constexpr double kMeasureGrowth = 1.1;
 
 std::uint64_t rim_key(VertexId v, int face) {
   return (static_cast<std::uint64_t>(v.index()) << 32) | static_cast<std::uint32_t>(face);
 }
 
 }  // namespace
+
+void add_change(std::vector<MeasureChange>& changes, ModelRef of, double change) {
+  auto it = std::find_if(changes.begin(), changes.end(), [&](const MeasureChange& c) { return c.of == of; });
+  if (it == changes.end()) it = changes.insert(it, MeasureChange{of, 0.0});
+  it->change += change;
+}
 
 BoundaryGuard::BoundaryGuard(const Model& model, const WorkMesh& mesh, std::span<const double> volume_beyond)
     : model_(&model),
@@ -54,12 +61,21 @@ BoundaryGuard::BoundaryGuard(const Model& model, const WorkMesh& mesh, std::span
       parameter_(mesh.points.size(), 0.0),
       volume_(static_cast<std::size_t>(model.count(3)) + 1, 0.0),
       exact_volume_(volume_.size(), 0.0),
-      allowed_(volume_.size(), 0.0) {
+      allowed_(volume_.size(), 0.0),
+      area_(planar_.size(), 0.0) {
   for (int face = 1; face <= model.count(2); ++face) {
     const std::size_t i = static_cast<std::size_t>(face);
     planar_[i] = std::string_view(model.surface(face).kind()) == "plane";
     if (planar_[i]) plane_normal_[i] = model.face_normal(face, Vec2::Zero());
   }
+  measure_volumes(mesh, volume_beyond);
+  measure_areas(mesh);
+  seat_all(mesh);
+  measure_faces(mesh);
+  measure_pieces(mesh);
+}
+
+void BoundaryGuard::measure_volumes(const WorkMesh& mesh, std::span<const double> volume_beyond) {
   for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
     const TetId t(i);
     if (!mesh.alive(t)) continue;
@@ -68,13 +84,32 @@ BoundaryGuard::BoundaryGuard(const Model& model, const WorkMesh& mesh, std::span
   }
   for (std::size_t r = 1; r < volume_.size(); ++r) {
     if (r < volume_beyond.size()) volume_[r] += volume_beyond[r];
-    exact_volume_[r] = model.region(static_cast<int>(r)).volume;
-    allowed_[r] = std::max(kVolumeBound * std::abs(exact_volume_[r]),
-                           kVolumeGrowth * std::abs(volume_[r] - exact_volume_[r]));
+    exact_volume_[r] = model_->region(static_cast<int>(r)).volume;
+    allowed_[r] = std::max(kMeasureBound * std::abs(exact_volume_[r]),
+                           kMeasureGrowth * std::abs(volume_[r] - exact_volume_[r]));
   }
-  seat_all(mesh);
-  measure_faces(mesh);
-  measure_pieces(mesh);
+}
+
+void BoundaryGuard::measure_areas(const WorkMesh& mesh) {
+  for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
+    const TetId t(i);
+    if (!mesh.alive(t)) continue;
+    for (int f = 0; f < 4; ++f) {
+      const std::int32_t tag = mesh.face_on[t][f];
+      if (tag == 0 || (tag < 0 && mesh.neighbours[t][f].valid())) continue;
+      const auto& v = kTetFace[f];
+      area_[static_cast<std::size_t>(std::abs(tag))] +=
+          triangle_area(mesh.point(t, v[0]), mesh.point(t, v[1]), mesh.point(t, v[2]));
+    }
+  }
+  double all = 0.0;
+  for (std::size_t face = 1; face < area_.size(); ++face) {
+    if (area_[face] == 0.0) continue;  // not in the mesh
+    const double exact = model_->face(static_cast<int>(face)).area;
+    all += exact;
+    area_error_ += std::abs(area_[face] - exact);
+  }
+  allowed_area_error_ = std::max(kMeasureBound * all, kMeasureGrowth * area_error_);
 }
 
 template <class Visit>
@@ -222,20 +257,32 @@ Fit BoundaryGuard::bound(const Fit& before, double size) const {
           std::max(grown(before.sag, before.sag_at_first), std::min(chord, most_sag_))};
 }
 
-bool BoundaryGuard::admits(std::span<const VolumeChange> changes) const {
-  return std::all_of(changes.begin(), changes.end(), [&](const VolumeChange& c) {
-    const std::size_t r = static_cast<std::size_t>(c.region);
-    const double error = std::abs(volume_[r] - exact_volume_[r]);
-    const double after = std::abs(volume_[r] + c.change - exact_volume_[r]);
-    return after <= std::max(error, allowed_[r]);
-  });
+double BoundaryGuard::area_error_by(const MeasureChange& c) const {
+  const double off = area_[static_cast<std::size_t>(c.of.tag)] - model_->face(c.of.tag).area;
+  return std::abs(off + c.change) - std::abs(off);
 }
 
-void BoundaryGuard::take(std::span<const VolumeChange> changes) {
-  for (const VolumeChange& c : changes) {
-    const std::size_t r = static_cast<std::size_t>(c.region);
-    if (journal_.open) journal_.volume.emplace_back(r, volume_[r]);
-    volume_[r] += c.change;
+bool BoundaryGuard::admits(std::span<const MeasureChange> changes) const {
+  double off = area_error_;
+  for (const MeasureChange& c : changes) {
+    if (c.of.dim == 2) {
+      off += area_error_by(c);
+      continue;
+    }
+    const std::size_t r = static_cast<std::size_t>(c.of.tag);
+    const double error = std::abs(volume_[r] - exact_volume_[r]);
+    const double after = std::abs(volume_[r] + c.change - exact_volume_[r]);
+    if (after > std::max(error, allowed_[r])) return false;
+  }
+  return !areas_guarded_ || off <= std::max(area_error_, allowed_area_error_);
+}
+
+void BoundaryGuard::take(std::span<const MeasureChange> changes) {
+  for (const MeasureChange& c : changes) {
+    if (c.of.dim == 2) area_error_ += area_error_by(c);
+    double& value = measure(c.of);
+    if (journal_.open) journal_.measure.emplace_back(c.of, value);
+    value += c.change;
   }
 }
 
@@ -246,7 +293,8 @@ void BoundaryGuard::open_journal(std::size_t vertices) {
   journal_.on_face.clear();
   journal_.on_rim.clear();
   journal_.parameter.clear();
-  journal_.volume.clear();
+  journal_.measure.clear();
+  journal_.area_error = area_error_;
 }
 
 void BoundaryGuard::take_back() {
@@ -264,7 +312,8 @@ void BoundaryGuard::take_back() {
   }
   for (auto p = journal_.parameter.rbegin(); p != journal_.parameter.rend(); ++p)
     parameter_[p->first.index()] = p->second;
-  for (auto v = journal_.volume.rbegin(); v != journal_.volume.rend(); ++v) volume_[v->first] = v->second;
+  for (auto m = journal_.measure.rbegin(); m != journal_.measure.rend(); ++m) measure(m->first) = m->second;
+  area_error_ = journal_.area_error;
 }
 
 }  // namespace octet

@@ -35,11 +35,13 @@ struct Fit {
   }
 };
 
-/// What an operation adds to a region's volume; only operations on curved faces add any.
-struct VolumeChange {
-  std::int32_t region = 0;
+/// What an operation adds to a region's volume or a face's area; only operations on curved faces add any.
+struct MeasureChange {
+  ModelRef of;
   double change = 0.0;
 };
+/// Adds to what the list has of that entity.
+void add_change(std::vector<MeasureChange>& changes, ModelRef of, double change);
 
 /// Seats of vertices on faces, found once (on all cores), and what a change of the boundary may do. What is
 /// const may be asked by many threads at once.
@@ -91,10 +93,17 @@ class BoundaryGuard {
   /// more.
   [[nodiscard]] double most_sag() const { return most_sag_; }
 
-  /// Whether the regions' volumes may change so: nearer to the exact volume, or within a small share of it,
-  /// or a tenth beyond the error that was there at first.
-  [[nodiscard]] bool admits(std::span<const VolumeChange> changes) const;
-  void take(std::span<const VolumeChange> changes);
+  /// Whether volumes and areas may change so: each region's volume nearer to the exact one, or within a small
+  /// share of it, or a tenth beyond the error that was there at first; the same of the sum of the faces'
+  /// errors of area while areas are guarded.
+  [[nodiscard]] bool admits(std::span<const MeasureChange> changes) const;
+  void take(std::span<const MeasureChange> changes);
+  /// Sum of the faces' errors of area as the mesh is now.
+  [[nodiscard]] double area_error() const { return area_error_; }
+  /// To be asked for where the worst elements are chased: there collapses would make fillets coarser. Else
+  /// guarded areas do harm: a surface that smoothing makes even has less of it than one that was uneven by
+  /// chance.
+  void guard_areas(bool guarded) { areas_guarded_ = guarded; }
 
   /// What is set and taken from here on can be taken back, until the journal is closed; vertices from number
   /// `vertices` on are new then.
@@ -115,16 +124,24 @@ class BoundaryGuard {
     std::vector<std::pair<VertexId, Seat>> on_face;
     std::vector<OnRim> on_rim;
     std::vector<std::pair<VertexId, double>> parameter;
-    std::vector<std::pair<std::size_t, double>> volume;
+    std::vector<std::pair<ModelRef, double>> measure;
+    double area_error = 0.0;
   };
 
   void seat_all(const WorkMesh& mesh);
   /// visit(face, corners) for each triangle on a face that is no plane, as the face is turned.
   template <class Visit>
   void for_each_curved_triangle(const WorkMesh& mesh, const Visit& visit) const;
+  void measure_volumes(const WorkMesh& mesh, std::span<const double> volume_beyond);
+  void measure_areas(const WorkMesh& mesh);
+  [[nodiscard]] double& measure(ModelRef of) {
+    return (of.dim == 3 ? volume_ : area_)[static_cast<std::size_t>(of.tag)];
+  }
   void measure_faces(const WorkMesh& mesh);
   void measure_pieces(const WorkMesh& mesh);
   [[nodiscard]] Seat project(const WorkMesh& mesh, VertexId v, int face) const;
+  /// What the change adds to the sum of the faces' errors of area.
+  [[nodiscard]] double area_error_by(const MeasureChange& change) const;
 
   const Model* model_;
   std::vector<char> planar_;        ///< per face tag
@@ -136,6 +153,9 @@ class BoundaryGuard {
   std::unordered_map<std::uint64_t, Seat> on_rim_;  ///< (vertex, face): of vertices on edges; looked up only
   std::vector<double> parameter_;                   ///< per vertex: of vertices on edges
   std::vector<double> volume_, exact_volume_, allowed_;  ///< per region tag
+  std::vector<double> area_;                             ///< per face tag
+  double area_error_ = 0.0, allowed_area_error_ = 0.0;   ///< sum of the faces' errors of area
+  bool areas_guarded_ = false;
   Journal journal_;
 };
 

@@ -99,16 +99,9 @@ bool link_allows(const WorkMesh& mesh, const EdgeRing& ring, const Neighbourhood
 struct Draft {
   std::vector<NewTet> tets;
   std::vector<NewTriangle> triangles;
-  std::vector<VolumeChange> volumes;
+  std::vector<MeasureChange> changes;
   Fit before, after;
 };
-
-void add_volume(std::vector<VolumeChange>& changes, std::int32_t region, double change) {
-  auto it =
-      std::find_if(changes.begin(), changes.end(), [&](const VolumeChange& c) { return c.region == region; });
-  if (it == changes.end()) it = changes.insert(it, VolumeChange{region, 0.0});
-  it->change += change;
-}
 
 /// The star of `gone` with `kept` in its place.
 bool draft_tets(Workshop& shop, VertexId gone, VertexId kept, const std::vector<TetId>& tets, double floor,
@@ -133,35 +126,37 @@ bool draft_triangles(Workshop& shop, VertexId gone, VertexId kept, const std::ve
   const WorkMesh& mesh = shop.mesh;
   double longest = 0.0;
   bool curved = false;
-  for (const TetId t : tets) {
-    for (int f = 0; f < 4; ++f) {
-      const std::int32_t tag = mesh.face_on[t][f];
-      if (tag == 0 || mesh.tets[t][f] == gone || (tag < 0 && mesh.neighbours[t][f].valid())) continue;
-      NewTriangle triangle{{}, std::abs(tag)};
-      for (int c = 0; c < 3; ++c) triangle.vertices[c] = mesh.tets[t][kTetFace[f][c]];
-      if (tag < 0) std::swap(triangle.vertices[1], triangle.vertices[2]);
-      draft.before.add(shop.guard.fit(mesh, triangle.face, triangle.vertices));
-      for (const VertexId v : triangle.vertices) {
-        longest = std::max(longest, (mesh.points[v] - mesh.points[gone]).norm());
-      }
-      curved = curved || !shop.guard.planar(triangle.face);
-      auto& v = triangle.vertices;
-      if (std::find(v.begin(), v.end(), kept) != v.end()) continue;
-      std::replace(v.begin(), v.end(), gone, kept);
-      draft.after.add(shop.guard.fit(mesh, triangle.face, v));
-      draft.triangles.push_back(triangle);
-    }
+  std::vector<StarTriangle> triangles;
+  collect_triangles(mesh, gone, tets, triangles);
+  const auto area = [&](VertexId v, const StarTriangle& t) {
+    return triangle_area(mesh.points[v], mesh.points[t.rim[0]], mesh.points[t.rim[1]]);
+  };
+  for (const StarTriangle& triangle : triangles) {
+    const auto [x, y] = triangle.rim;
+    draft.before.add(shop.guard.fit(mesh, triangle.face, {gone, x, y}));
+    add_change(draft.changes, model_face(triangle.face), -area(gone, triangle));
+    for (const VertexId v : triangle.rim)
+      longest = std::max(longest, (mesh.points[v] - mesh.points[gone]).norm());
+    curved = curved || !shop.guard.planar(triangle.face);
+    if (x == kept || y == kept) continue;
+    draft.after.add(shop.guard.fit(mesh, triangle.face, {kept, x, y}));
+    add_change(draft.changes, model_face(triangle.face), area(kept, triangle));
+    draft.triangles.push_back({{kept, x, y}, triangle.face});
   }
   // Not the longest edge alone: collapse by collapse it would grow, and the distance allowed with it.
   const double size = curved ? std::min(longest, shop.options.size_at(mesh.points[gone])) : longest;
   if (!BoundaryGuard::within(draft.after, shop.guard.bound(draft.before, size))) return false;
-  if (!curved) return true;
+  if (!curved) {
+    draft.changes.clear();
+    return true;
+  }
   const auto volume = [&](const std::array<VertexId, 4>& v) {
     return signed_volume(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], mesh.points[v[3]]);
   };
-  for (const TetId t : tets) add_volume(draft.volumes, mesh.region[t], -volume(mesh.tets[t]));
-  for (const NewTet& tet : draft.tets) add_volume(draft.volumes, tet.region, volume(tet.vertices));
-  return shop.guard.admits(draft.volumes);
+  for (const TetId t : tets) add_change(draft.changes, model_region(mesh.region[t]), -volume(mesh.tets[t]));
+  for (const NewTet& tet : draft.tets)
+    add_change(draft.changes, model_region(tet.region), volume(tet.vertices));
+  return shop.guard.admits(draft.changes);
 }
 
 /// Whether the model edge turns by more than a right angle along a new piece of it.
@@ -240,7 +235,7 @@ bool collapse(Workshop& shop, VertexId gone, VertexId kept, double floor, bool f
   change.removed_pieces = removed_pieces;
   change.added_pieces = added_pieces;
   if (!replace_cavity(mesh, change, shop.made)) return false;
-  shop.guard.take(draft.volumes);
+  shop.guard.take(draft.changes);
   ++shop.report.collapses;
   return true;
 }

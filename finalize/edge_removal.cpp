@@ -201,15 +201,23 @@ bool chord_is_free(Workshop& shop, const Sectors& sectors) {
          std::all_of(around.face_on.begin(), around.face_on.end(), [](int f) { return f == 0; });
 }
 
-/// The change of each sector's region by a surface swap on a curved face; none on a planar one.
-std::vector<VolumeChange> volume_changes(const Workshop& shop, const Sectors& sectors, const EdgeRing& ring) {
+/// The change of each sector's region and of the face by a surface swap on a curved face; none on a planar
+/// one.
+std::vector<MeasureChange> measure_changes(const Workshop& shop, const Sectors& sectors,
+                                           const EdgeRing& ring) {
   if (sectors[0].face_on == 0 || shop.guard.planar(std::abs(sectors[0].face_on))) return {};
   const WorkMesh& mesh = shop.mesh;
   const VertexId s = sectors[0].first(), e = sectors[0].last();
   // What the first sector loses is the tetrahedron between the two pairs of triangles; the other gains it.
-  const double lost = signed_volume(mesh.points[ring.a], mesh.points[ring.b], mesh.points[s], mesh.points[e]);
-  std::vector<VolumeChange> changes{{sectors[0].region, -lost}};
-  if (sectors.count > 1) changes.push_back({sectors[1].region, lost});
+  const Vec3 &a = mesh.points[ring.a], &b = mesh.points[ring.b];
+  const Vec3 &p = mesh.points[s], &q = mesh.points[e];
+  const double lost = signed_volume(a, b, p, q);
+  std::vector<MeasureChange> changes;
+  add_change(changes, model_region(sectors[0].region), -lost);
+  if (sectors.count > 1) add_change(changes, model_region(sectors[1].region), lost);
+  add_change(
+      changes, model_face(std::abs(sectors[0].face_on)),
+      triangle_area(p, q, a) + triangle_area(p, q, b) - triangle_area(a, b, p) - triangle_area(a, b, q));
   return changes;
 }
 
@@ -274,9 +282,9 @@ bool carry_out(Workshop& shop, const EdgeRing& ring, const Plan& plan) {
     swap = surface_swap(ring, plan.sectors[0]);
     change.triangles = swap.after;
   }
-  const std::vector<VolumeChange> volumes = volume_changes(shop, plan.sectors, ring);
-  if (!shop.guard.admits(volumes) || !replace_cavity(shop.mesh, change, shop.made)) return false;
-  shop.guard.take(volumes);
+  const std::vector<MeasureChange> changes = measure_changes(shop, plan.sectors, ring);
+  if (!shop.guard.admits(changes) || !replace_cavity(shop.mesh, change, shop.made)) return false;
+  shop.guard.take(changes);
   ++shop.report.edge_removals;
   return true;
 }

@@ -55,12 +55,14 @@ Extremes extremes(const WorkMesh& mesh, double target) {
 void chase(Workshop& shop, double target, double polish, Observer& observer) {
   forget_failures(shop);
   shop.thorough = true;
+  shop.guard.guard_areas(true);
   for (int pass = 0; pass < kPasses; ++pass) {
     const std::size_t done = improve_worst_first(shop, target, observer);
     if (pass > 0 && done == 0) break;
     relax_around(shop, target, polish);
   }
   shop.thorough = false;
+  shop.guard.guard_areas(false);
 }
 
 /// Works on the largest angles, which what came last has left or made.
@@ -68,9 +70,11 @@ void open_obtuse(Workshop& shop, Observer& observer) {
   constexpr int kObtusePasses = 3;
   forget_failures(shop);
   shop.thorough = true;
+  shop.guard.guard_areas(true);
   for (int pass = 0; pass < kObtusePasses; ++pass)
     if (improve_obtuse(shop, kObtuse, observer) == 0) break;
   shop.thorough = false;
+  shop.guard.guard_areas(false);
 }
 
 /// Swaps, then moves vertices, for the mean.

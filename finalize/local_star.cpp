@@ -55,6 +55,11 @@ void collect_triangles(const WorkMesh& mesh, TetId t, VertexId v, std::vector<St
 
 }  // namespace
 
+void collect_triangles(const WorkMesh& mesh, VertexId v, std::span<const TetId> tets,
+                       std::vector<StarTriangle>& triangles) {
+  for (const TetId t : tets) collect_triangles(mesh, t, v, triangles);
+}
+
 void local_bases(const WorkMesh& mesh, VertexId v, std::span<const TetId> tets, LocalStar& star) {
   star.on = mesh.on[v];
   star.work = 0;
@@ -88,7 +93,7 @@ void local_triangles(const Workshop& shop, VertexId v, std::span<const TetId> te
   star.faces.clear();
   star.piece_ends.clear();
   if (star.on.dim == 3) return;
-  for (const TetId t : tets) collect_triangles(shop.mesh, t, v, star.triangles);
+  collect_triangles(shop.mesh, v, tets, star.triangles);
   Fit before;
   for (const StarTriangle& triangle : star.triangles) {
     if (shop.guard.planar(triangle.face)) continue;

@@ -42,6 +42,10 @@ struct LocalStar {
   std::uint64_t work = 0;                         ///< done on it, in evaluations of `shape`
 };
 
+/// Appends the triangles at the vertex on model faces, once each; `tets` are the tetrahedra around it.
+void collect_triangles(const WorkMesh& mesh, VertexId v, std::span<const TetId> tets,
+                       std::vector<StarTriangle>& triangles);
+
 /// Makes `star` that of a vertex of the mesh; `tets` are the tetrahedra around it. What `star` was does not
 /// matter: it is kept from vertex to vertex for its memory.
 void local_star(const Workshop& shop, VertexId v, std::span<const TetId> tets, LocalStar& star);

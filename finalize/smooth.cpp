@@ -187,17 +187,16 @@ double worst_quality(const WorkMesh& mesh, const std::vector<TetId>& tets) {
   return worst;
 }
 
-/// Adds the volumes of the star to its regions', with the sign given: before a move -1, after it +1.
-void add_volumes(const WorkMesh& mesh, std::span<const TetId> tets, double sign,
-                 std::vector<VolumeChange>& changes) {
-  for (const TetId t : tets) {
-    const double volume =
-        sign * signed_volume(mesh.point(t, 0), mesh.point(t, 1), mesh.point(t, 2), mesh.point(t, 3));
-    auto it = std::find_if(changes.begin(), changes.end(),
-                           [&](const VolumeChange& c) { return c.region == mesh.region[t]; });
-    if (it == changes.end()) it = changes.insert(it, VolumeChange{mesh.region[t], 0.0});
-    it->change += volume;
-  }
+/// Adds the volumes and areas of the star to its regions' and faces', with the sign given: before a move -1,
+/// after it +1.
+void add_measures(const WorkMesh& mesh, VertexId v, std::span<const TetId> tets,
+                  std::span<const StarTriangle> triangles, double sign, std::vector<MeasureChange>& changes) {
+  for (const TetId t : tets)
+    add_change(changes, model_region(mesh.region[t]),
+               sign * signed_volume(mesh.point(t, 0), mesh.point(t, 1), mesh.point(t, 2), mesh.point(t, 3)));
+  for (const auto& [face, rim] : triangles)
+    add_change(changes, model_face(face),
+               sign * triangle_area(mesh.points[v], mesh.points[rim[0]], mesh.points[rim[1]]));
 }
 
 bool on_curved_faces(const Workshop& shop, const LocalStar& star) {
@@ -209,11 +208,15 @@ bool on_curved_faces(const Workshop& shop, const LocalStar& star) {
 
 bool commit_move(Workshop& shop, VertexId v, std::span<const TetId> tets, bool curved, const Stand& stand) {
   const Vec3 before = shop.mesh.points[v];
-  std::vector<VolumeChange> changes;
-  if (curved) add_volumes(shop.mesh, tets, -1.0, changes);
+  std::vector<MeasureChange> changes;
+  std::vector<StarTriangle> triangles;
+  if (curved) {
+    collect_triangles(shop.mesh, v, tets, triangles);
+    add_measures(shop.mesh, v, tets, triangles, -1.0, changes);
+  }
   if (!move_vertex(shop.mesh, v, stand.point, tets)) return false;
   if (curved) {
-    add_volumes(shop.mesh, tets, 1.0, changes);
+    add_measures(shop.mesh, v, tets, triangles, 1.0, changes);
     if (!shop.guard.admits(changes)) {
       OCTET_CHECK(move_vertex(shop.mesh, v, before, tets));
       return false;

@@ -68,9 +68,9 @@ Stand seeds_of(const Workshop& shop, const EdgeRing& ring, const LocalStar& star
   return from;
 }
 
-std::vector<VolumeChange> volume_changes(const Workshop& shop, const EdgeRing& ring, const LocalStar& star,
-                                         const Vec3& place) {
-  std::vector<VolumeChange> changes;
+std::vector<MeasureChange> measure_changes(const Workshop& shop, const EdgeRing& ring, const LocalStar& star,
+                                           const Vec3& place) {
+  std::vector<MeasureChange> changes;
   if (std::all_of(star.faces.begin(), star.faces.end(), [&](int f) { return shop.guard.planar(f); }))
     return changes;
   const WorkMesh& mesh = shop.mesh;
@@ -81,18 +81,23 @@ std::vector<VolumeChange> volume_changes(const Workshop& shop, const EdgeRing& r
       const auto base = star.bases[k];
       change += signed_volume(base[0], base[1], base[2], place);
     }
-    auto it = std::find_if(changes.begin(), changes.end(),
-                           [&](const VolumeChange& c) { return c.region == mesh.region[t]; });
-    if (it == changes.end()) it = changes.insert(it, VolumeChange{mesh.region[t], 0.0});
-    it->change += change;
+    add_change(changes, model_region(mesh.region[t]), change);
+  }
+  // Each triangle at the edge becomes two, of which each has one of the edge's ends.
+  const Vec3& b = mesh.points[ring.b];
+  for (const auto& [face, rim] : star.triangles) {
+    const Vec3 &x = mesh.points[rim[0]], &y = mesh.points[rim[1]];
+    double change = triangle_area(place, x, y);
+    if (rim[0] == ring.a || rim[1] == ring.a) change -= triangle_area(b, x, y);
+    add_change(changes, model_face(face), change);
   }
   return changes;
 }
 
 bool commit_split(Workshop& shop, const EdgeRing& ring, const LocalStar& star, const Stand& stand) {
   WorkMesh& mesh = shop.mesh;
-  const std::vector<VolumeChange> volumes = volume_changes(shop, ring, star, stand.point);
-  if (!shop.guard.admits(volumes)) return false;
+  const std::vector<MeasureChange> changes = measure_changes(shop, ring, star, stand.point);
+  if (!shop.guard.admits(changes)) return false;
   const VertexId m = add_vertex(mesh, stand.point, star.on);
   std::vector<NewTet> tets;
   const std::size_t n = ring.rim.size();
@@ -117,7 +122,7 @@ bool commit_split(Workshop& shop, const EdgeRing& ring, const LocalStar& star, c
     forget_vertex(mesh, m);
     return false;
   }
-  shop.guard.take(volumes);
+  shop.guard.take(changes);
   record_stand(shop, m, stand);
   ++shop.report.splits;
   return true;

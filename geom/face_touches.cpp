@@ -110,7 +110,7 @@ class TouchCandidates {
     for (std::size_t t = 0; t < facets.triangles.size(); ++t) {
       const auto [a, b, c] = facet_corners(facets, t);
       corners[at(facets.face[t])].insert(corners[at(facets.face[t])].end(), {a, b, c});
-      area[at(facets.face[t])] += 0.5 * (b - a).cross(c - a).norm();
+      area[at(facets.face[t])] += triangle_area(a, b, c);
     }
     std::vector<Box3> boxes(of_.size());
     std::vector<int> order;

@@ -23,7 +23,7 @@ void add_moments(const Facets& facets, Landmarks& landmarks) {
     if (centred) landmarks.centre /= area;
     for (std::size_t t = 0; t < facets.triangles.size(); ++t) {
       const auto [a, b, c] = facet_corners(facets, t);
-      const double weight = 0.5 * (b - a).cross(c - a).norm();
+      const double weight = triangle_area(a, b, c);
       if (!centred) {
         area += weight;
         landmarks.centre += weight * (a + b + c) / 3.0;

@@ -234,7 +234,7 @@ class WallSizer {
       if (options_.budget > 0.0 && elements_ > options_.budget) return;
       probe({top, half, right}, side, first);
     } else if (wishes_.counts(wish)) {
-      const double area = 0.5 * (b - a).cross(c - a).norm();
+      const double area = triangle_area(a, b, c);
       elements_ += kTetsPerCube * area * std::max(0.5 * depth, wish) / (wish * wish * wish);
       wish_through(middle, depth, wish, side);
       // A mesh may cut across at one octant that is coarser: none must be missed.

@@ -44,8 +44,7 @@ Measures measure(const Mesh& mesh, const Model& model) {
     m.length[static_cast<std::size_t>(mesh.edge_on[e])] += (p[mesh.edges[e][1]] - p[mesh.edges[e][0]]).norm();
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto& v = mesh.triangles[t];
-    m.area[static_cast<std::size_t>(mesh.triangle_on[t])] +=
-        0.5 * (p[v[1]] - p[v[0]]).cross(p[v[2]] - p[v[0]]).norm();
+    m.area[static_cast<std::size_t>(mesh.triangle_on[t])] += triangle_area(p[v[0]], p[v[1]], p[v[2]]);
   }
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
     const auto& v = mesh.tets[t];

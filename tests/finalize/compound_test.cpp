@@ -27,7 +27,8 @@ Part jittered_cylinder() {
 
 /// All that a trial has to bring back.
 struct State {
-  explicit State(const Workshop& shop) : mesh(shop.mesh), smoothed(shop.report.smoothed) {
+  explicit State(const Workshop& shop)
+      : mesh(shop.mesh), smoothed(shop.report.smoothed), area_error(shop.guard.area_error()) {
     for (std::size_t i = 0; i < mesh.points.size(); ++i) {
       const VertexId v(i);
       if (mesh.on[v].dim == 1) parameters.push_back(shop.guard.parameter(v));
@@ -36,6 +37,7 @@ struct State {
   }
   WorkMesh mesh;
   std::size_t smoothed;
+  double area_error;
   std::vector<double> parameters;
   std::vector<Vec3> seats;
 };
@@ -53,6 +55,7 @@ void expect_same(const State& p, const State& q) {
   EXPECT_EQ(p.parameters, q.parameters);
   EXPECT_EQ(p.seats, q.seats);
   EXPECT_EQ(p.smoothed, q.smoothed);
+  EXPECT_EQ(p.area_error, q.area_error);
 }
 
 /// One operation of each kind at t, whatever comes of it.

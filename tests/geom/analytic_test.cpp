@@ -71,7 +71,7 @@ TEST(Analytic, FacetAreasAddUpToTheFaces) {
     const Facets& f = s.model.facets();
     for (std::size_t i = 0; i < f.triangles.size(); ++i) {
       const auto& t = f.triangles[i];
-      area[f.face[i]] += 0.5 * (f.nodes[t[1]] - f.nodes[t[0]]).cross(f.nodes[t[2]] - f.nodes[t[0]]).norm();
+      area[f.face[i]] += triangle_area(f.nodes[t[0]], f.nodes[t[1]], f.nodes[t[2]]);
     }
     for (int k = 1; k <= s.model.count(2); ++k)
       EXPECT_NEAR(area[k], s.model.face(k).area, 5e-3 * s.model.face(k).area) << s.name << " face " << k;

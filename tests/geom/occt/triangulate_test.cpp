@@ -66,8 +66,7 @@ TEST(Triangulate, FacetsEndWhereTheFaceDoesThoughItsSidesAreBentInParameters) {
   const Facets& facets = model.facets();
   for (std::size_t i = 0; i < facets.triangles.size(); ++i) {
     const auto& [a, b, c] = facets.triangles[i];
-    area[facets.face[i]] +=
-        0.5 * (facets.nodes[b] - facets.nodes[a]).cross(facets.nodes[c] - facets.nodes[a]).norm();
+    area[facets.face[i]] += triangle_area(facets.nodes[a], facets.nodes[b], facets.nodes[c]);
     for (const Vec2& uv : facets.uv[i]) EXPECT_NE(model.face_side(facets.face[i], uv), TrimSide::kOut);
   }
   for (int f = 1; f <= model.count(2); ++f)
