@@ -88,8 +88,9 @@ class Closer {
   }
 
   [[nodiscard]] bool is_hairline(const TopoDS_Edge& a, const TopoDS_Edge& b) const {
+    const double width = std::max({width_, BRep_Tool::Tolerance(a), BRep_Tool::Tolerance(b)});
     return !a.IsSame(b) && is_free(a) && is_free(b) && joins_the_same(a, b) &&
-           std::max(apart(a, b, width_), apart(b, a, width_)) <= width_;
+           std::max(apart(a, b, width), apart(b, a, width)) <= width;
   }
 
   void close(const TopoDS_Wire& wire) {
@@ -110,6 +111,8 @@ class Closer {
     for (std::size_t i = 0; i < loop.size() && loop.size() > 2; ++i)
       for (std::size_t j = i + 1; j < loop.size(); ++j) {
         if (!is_hairline(loop[i], loop[j]) || !has_tip(loop, loop[i])) continue;
+        // The better one stays.
+        if (BRep_Tool::Tolerance(loop[j]) < BRep_Tool::Tolerance(loop[i])) std::swap(loop[i], loop[j]);
         join(loop[i], loop[j]);
         loop.erase(loop.begin() + static_cast<std::ptrdiff_t>(j));
         loop.erase(loop.begin() + static_cast<std::ptrdiff_t>(i));
@@ -132,7 +135,7 @@ class Closer {
   void join(const TopoDS_Edge& kept, const TopoDS_Edge& gone) {
     touched_.Add(kept);
     touched_.Add(gone);
-    BRep_Builder().UpdateEdge(kept, apart(gone, kept, width_));
+    BRep_Builder().UpdateEdge(kept, apart(gone, kept, std::numeric_limits<double>::infinity()));
     // In the loop the two run against each other.
     changes_->Replace(gone, kept.Reversed());
     gone_.push_back(gone);

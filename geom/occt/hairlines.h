@@ -7,7 +7,7 @@
 namespace octet {
 
 /// Closes every spike or slit of a face's loop: two sides in a row, between the same two vertices, that are
-/// nowhere farther apart than `width`. One takes the place of the other on the face beyond, and both leave
+/// nowhere farther apart than `width` or their tolerance. One takes the place of the other on the face beyond, and both leave
 /// the loop.
 [[nodiscard]] Repair close_hairlines(const TopoDS_Shape& solid, double width);
 

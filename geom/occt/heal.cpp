@@ -30,6 +30,7 @@
 #include <cmath>
 #include <optional>
 
+#include "geom/occt/crossed_sides.h"
 #include "geom/occt/edge_uses.h"
 #include "geom/occt/folds.h"
 #include "geom/occt/hairlines.h"
@@ -257,9 +258,11 @@ class Healer {
           "are no longer than " + smallest + " and became vertices");
     adopt(solid, split_touched_edges(solid, smallest_of(solid)), 1,
           "are touched by a vertex of their face and were split there");
+    adopt(solid, split_crossed_sides(solid), 1,
+          "cross a side beside them that they lie on within the tolerance, and were split there");
     const double hairline = kHairlineShare * diagonal_of(box_of(solid));
     adopt(solid, close_hairlines(solid, std::max(smallest_of(solid), hairline)), 1,
-          "were sides of spikes or slits no wider than " + smallest +
+          "were sides of spikes or slits no wider than their tolerance, or than " + smallest +
               ", and became one with those beside them");
   }
 

@@ -3,8 +3,6 @@
 #include "geom/occt/touched_edges.h"
 
 #include <BRepAdaptor_Curve.hxx>
-#include <BRepTools_ReShape.hxx>
-#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 #include <Extrema_ExtPC.hxx>
@@ -14,13 +12,12 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Vertex.hxx>
-#include <TopoDS_Wire.hxx>
 #include <gp_Pnt.hxx>
 
 #include <algorithm>
-#include <map>
 #include <optional>
 
+#include "geom/occt/edge_pieces.h"
 #include "geom/occt/shape_box.h"
 #include "geom/occt/sub_shapes.h"
 
@@ -30,19 +27,13 @@ namespace {
 /// A foot nearer to an end of the edge than so many tolerances belongs to the end.
 constexpr double kClearOfEnds = 10.0;
 
-struct Touch {
-  double parameter = 0.0;  ///< on the edge
-  double distance = 0.0;   ///< of the vertex from it
-  TopoDS_Vertex vertex;
-};
-
 /// Where the vertex touches the edge between its ends.
-std::optional<Touch> touch_of(const TopoDS_Vertex& vertex, const TopoDS_Edge& edge, double tolerance) {
+std::optional<Cut> touch_of(const TopoDS_Vertex& vertex, const TopoDS_Edge& edge, double tolerance) {
   const gp_Pnt point = BRep_Tool::Pnt(vertex);
   for (const TopoDS_Vertex& end : {TopExp::FirstVertex(edge), TopExp::LastVertex(edge)})
     if (BRep_Tool::Pnt(end).Distance(point) <= kClearOfEnds * std::max(tolerance, BRep_Tool::Tolerance(end)))
       return {};
-  std::optional<Touch> nearest;
+  std::optional<Cut> nearest;
   try {
     const BRepAdaptor_Curve curve(edge);
     const Extrema_ExtPC feet(point, curve);
@@ -50,35 +41,12 @@ std::optional<Touch> touch_of(const TopoDS_Vertex& vertex, const TopoDS_Edge& ed
     for (int i = 1; i <= feet.NbExt(); ++i) {
       const double distance = std::sqrt(feet.SquareDistance(i));
       if (feet.IsMin(i) && distance <= tolerance && (!nearest || distance < nearest->distance))
-        nearest = Touch{feet.Point(i).Parameter(), distance, vertex};
+        nearest = Cut{feet.Point(i).Parameter(), distance, vertex};
     }
   } catch (const Standard_Failure&) {  // OCCT cannot tell: no touch
     return {};
   }
   return nearest;
-}
-
-/// The edge in pieces, from its first vertex to its last.
-TopoDS_Wire pieces_of(const TopoDS_Edge& edge, const std::vector<Touch>& touches) {
-  const BRep_Builder builder;
-  TopoDS_Wire wire;
-  builder.MakeWire(wire);
-  double from = 0.0, last = 0.0;
-  BRep_Tool::Range(edge, from, last);
-  TopoDS_Vertex start = TopExp::FirstVertex(edge);
-  for (std::size_t i = 0; i <= touches.size(); ++i) {
-    const bool ends = i == touches.size();
-    const double to = ends ? last : touches[i].parameter;
-    const TopoDS_Vertex end = ends ? TopExp::LastVertex(edge) : touches[i].vertex;
-    TopoDS_Edge piece = TopoDS::Edge(edge.EmptyCopied());
-    builder.Add(piece, start.Oriented(TopAbs_FORWARD));
-    builder.Add(piece, end.Oriented(TopAbs_REVERSED));
-    builder.Range(piece, from, to);
-    builder.Add(wire, piece);
-    from = to;
-    start = end;
-  }
-  return wire;
 }
 
 /// The touches of each edge of the solid by the vertices of its faces.
@@ -90,7 +58,7 @@ class Search {
     for (int i = 1; i <= faces.Extent(); ++i) look_at(faces(i));
   }
 
-  std::map<int, std::vector<Touch>> found;  ///< by index in edges(), ascending along the edge
+  EdgeCuts cuts;  ///< by index in edges()
   [[nodiscard]] const TopTools_IndexedMapOfShape& edges() const { return edges_; }
 
  private:
@@ -118,18 +86,9 @@ class Search {
         // What is beside a seam is no nearer to an edge of the mesh.
         if (!touch && width_ > own && !BRep_Tool::IsClosed(edge, TopoDS::Face(face)))
           touch = touch_of(vertex, edge, width_);
-        if (touch) add(index, *touch);
+        if (touch) cuts.add(index, *touch);
       }
     }
-  }
-
-  void add(int index, const Touch& touch) {
-    std::vector<Touch>& touches = found[index];
-    for (const Touch& known : touches)
-      if (known.vertex.IsSame(touch.vertex) || known.parameter == touch.parameter) return;
-    touches.push_back(touch);
-    std::sort(touches.begin(), touches.end(),
-              [](const Touch& a, const Touch& b) { return a.parameter < b.parameter; });
   }
 
   double width_;
@@ -140,20 +99,8 @@ class Search {
 }  // namespace
 
 Repair split_touched_edges(const TopoDS_Shape& solid, double width) {
-  Repair result = no_repair(solid);
   const Search search(solid, width);
-  if (search.found.empty()) return result;
-  const BRep_Builder builder;
-  const Handle(BRepTools_ReShape) changes = new BRepTools_ReShape;
-  for (const auto& [index, touches] : search.found) {
-    const TopoDS_Edge edge = TopoDS::Edge(search.edges()(index).Oriented(TopAbs_FORWARD));
-    for (const Touch& touch : touches) builder.UpdateVertex(touch.vertex, touch.distance);
-    changes->Replace(edge, pieces_of(edge, touches));
-    result.entities.push_back(edge);
-  }
-  result.solid = changes->Apply(solid);
-  result.history = changes->History();
-  return result;
+  return search.cuts.apply(solid, search.edges());
 }
 
 }  // namespace octet
