@@ -451,7 +451,8 @@ Fault describe_gap(const Model& model, const Gap& gap) {
       fault.cause = "a mesh face on " + who + " stands for more than one sheet of the boundary";
       break;
   }
-  fault.advice = "ask for a smaller size here, or remove the small feature or thin wall at this place";
+  fault.advice =
+      "ask for a smaller size here, or take away small features (--defeature) or the thin wall at this place";
   return fault;
 }
 
