@@ -43,15 +43,19 @@ NT
 """
 
 
-def exact(points):
+def polar(points):
+    """Radius, and the angle in the domain, 0 to 3 pi / 2; the cut is in the middle of what is not in it."""
     x, y = points[..., 0] / RADIUS, points[..., 1] / RADIUS
-    phi = np.mod(np.arctan2(y, x), 2 * np.pi)
-    return np.hypot(x, y) ** (2 / 3) * np.sin(2 * phi / 3)
+    return np.hypot(x, y), np.mod(np.arctan2(y, x) + np.pi / 4, 2 * np.pi) - np.pi / 4
+
+
+def exact(points):
+    r, phi = polar(points)
+    return r ** (2 / 3) * np.sin(2 * phi / 3)
 
 
 def exact_gradient(points):
-    x, y = points[..., 0] / RADIUS, points[..., 1] / RADIUS
-    r, phi = np.hypot(x, y), np.mod(np.arctan2(y, x), 2 * np.pi)
+    r, phi = polar(points)
     steep = 2 / 3 * np.maximum(r, 1e-12) ** (-1 / 3) / RADIUS
     return np.stack([-steep * np.sin(phi / 3), steep * np.cos(phi / 3), 0 * r], axis=-1)
 
