@@ -197,7 +197,7 @@ TEST(MeshCommand, DefeatureTakesNarrowFacesAwayAndSaysSo) {
   EXPECT_EQ(run_octet({"check", out.file("b.msh"), part}).exit_code, kExitIncomplete);
   EXPECT_EQ(run_octet({"mesh", part, "-o", out.file("c.msh"), "--defeature", "-1"}).exit_code, kExitBadInput);
   const auto bracket_run =
-      run_octet({"mesh", bracket(), "-o", out.file("c.msh"), "--defeature", "4", "--size", "4"});
+      run_octet({"mesh", bracket(), "-o", out.file("c.msh"), "--defeature", "4", "--size", "20"});
   EXPECT_NE(bracket_run.out.find("features were taken away here"), std::string::npos) << bracket_run.out;
   EXPECT_EQ(bracket_run.out.find("mend the part there"), std::string::npos) << bracket_run.out;
 }
