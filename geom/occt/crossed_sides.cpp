@@ -36,6 +36,8 @@ namespace {
 constexpr double kSideBySide = 0.9962;
 /// Crossings nearer to an end of a side than so many tolerances belong to the end.
 constexpr double kClearOfEnds = 10.0;
+/// A side that is no farther beyond the other is there by rounding (mm).
+constexpr double kRounding = 1e-6;
 /// The walk: from this share of the side, growing by this factor a step.
 constexpr double kFirstStep = 1e-4, kStepGrowth = 1.1;
 
@@ -135,7 +137,7 @@ class Corner {
     if (parted == 0.0) return {};
     const auto is_wrong = [&](double inside) { return inside * parted < 0.0; };
     for (std::size_t i = walk.size(); i-- > 1;) {
-      if (!is_wrong(walk[i - 1].second) || std::abs(walk[i - 1].second) <= Precision::Confusion()) continue;
+      if (!is_wrong(walk[i - 1].second) || std::abs(walk[i - 1].second) <= kRounding) continue;
       double wrong = walk[i - 1].first, right = walk[i].first;
       for (int k = 0; k < 50; ++k) {
         const double middle = 0.5 * (wrong + right);

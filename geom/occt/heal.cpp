@@ -224,6 +224,11 @@ class Healer {
     replace(solid, sewn.solids.front());
   }
 
+  [[nodiscard]] bool keeps_volume(const TopoDS_Shape& solid, const TopoDS_Shape& repaired) {
+    if (!volume_) volume_ = volume_of(solid);
+    return std::abs(volume_of(repaired) - *volume_) <= kMostVolumeShare * std::abs(*volume_);
+  }
+
   /// Takes the repaired solid where it is as closed as it was and bounds as much, and adds the curves that
   /// its edges then lack. `dim`, `what`: of the entities that are gone, and what became of them.
   void adopt(TopoDS_Shape& solid, const Repair& repair, int dim, const std::string& what) {
@@ -258,12 +263,21 @@ class Healer {
           "are no longer than " + smallest + " and became vertices");
     adopt(solid, split_touched_edges(solid, smallest_of(solid)), 1,
           "are touched by a vertex of their face and were split there");
-    adopt(solid, split_crossed_sides(solid), 1,
-          "cross a side beside them that they lie on within the tolerance, and were split there");
-    const double hairline = kHairlineShare * diagonal_of(box_of(solid));
-    adopt(solid, close_hairlines(solid, std::max(smallest_of(solid), hairline)), 1,
+    const double hairline = std::max(smallest_of(solid), kHairlineShare * diagonal_of(box_of(solid)));
+    split_crossed(solid, hairline);
+    adopt(solid, close_hairlines(solid, hairline), 1,
           "were sides of spikes or slits no wider than their tolerance, or than " + smallest +
               ", and became one with those beside them");
+  }
+
+  /// Where what is between the sides can be closed then.
+  void split_crossed(TopoDS_Shape& solid, double hairline) {
+    const Repair split = split_crossed_sides(solid);
+    if (split.entities.empty()) return;
+    const Repair closed = close_hairlines(split.solid, hairline);
+    if (closed.entities.empty() || !keeps_volume(solid, closed.solid)) return;
+    adopt(solid, split, 1,
+          "cross a side beside them that they lie on within the tolerance, and were split there");
   }
 
   void take_folds(TopoDS_Shape& solid) {

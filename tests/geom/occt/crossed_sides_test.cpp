@@ -90,6 +90,7 @@ TEST(CrossedSides, AreSplitWhereTheyCross) {
 TEST(CrossedSides, ProperOnesStay) {
   EXPECT_TRUE(split_crossed_sides(wedge(0.0)).entities.empty());
   EXPECT_TRUE(split_crossed_sides(wedge(-0.0003)).entities.empty());
+  EXPECT_TRUE(split_crossed_sides(wedge(1e-6)).entities.empty()) << "beyond by 4e-7: rounding";
 }
 
 TEST(CrossedSides, BecomeOneEdgeUpToTheCrossing) {
