@@ -51,30 +51,41 @@ Extremes extremes(const WorkMesh& mesh, double target) {
   return result;
 }
 
+/// While the worst elements are worked on, and nothing that failed before is taken as failed.
+class Chase {
+ public:
+  explicit Chase(Workshop& shop) : shop_(shop) {
+    forget_failures(shop_);
+    set(true);
+  }
+  Chase(const Chase&) = delete;
+  Chase& operator=(const Chase&) = delete;
+  ~Chase() { set(false); }
+
+ private:
+  void set(bool on) {
+    shop_.thorough = on;
+    shop_.guard.guard_areas(on);
+  }
+  Workshop& shop_;
+};
+
 /// Works on what is below the target until nothing gives.
 void chase(Workshop& shop, double target, double polish, Observer& observer) {
-  forget_failures(shop);
-  shop.thorough = true;
-  shop.guard.guard_areas(true);
+  const Chase worst_first(shop);
   for (int pass = 0; pass < kPasses; ++pass) {
     const std::size_t done = improve_worst_first(shop, target, observer);
     if (pass > 0 && done == 0) break;
     relax_around(shop, target, polish);
   }
-  shop.thorough = false;
-  shop.guard.guard_areas(false);
 }
 
 /// Works on the largest angles, which what came last has left or made.
 void open_obtuse(Workshop& shop, Observer& observer) {
   constexpr int kObtusePasses = 3;
-  forget_failures(shop);
-  shop.thorough = true;
-  shop.guard.guard_areas(true);
+  const Chase worst_first(shop);
   for (int pass = 0; pass < kObtusePasses; ++pass)
     if (improve_obtuse(shop, kObtuse, observer) == 0) break;
-  shop.thorough = false;
-  shop.guard.guard_areas(false);
 }
 
 /// Swaps, then moves vertices, for the mean.

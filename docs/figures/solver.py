@@ -183,7 +183,10 @@ def solve(ccx, folder, mesh, problem, solver):
         poisson=POISSON, solver=solver, loads="*CLOAD\n" + loads if loads else "",
         fixed="\n".join(f"{n + 1}, {a + 1}, {a + 1}, {exact[n, a]:.12e}" for n, axes in fixed for a in axes))
     u, told = calculix.solve(ccx, folder, deck, len(mesh.points), 3)
-    return u, max(int(n) for n in re.findall(r"iteration=\s*(\d+)", told))
+    iterations = [int(n) for n in re.findall(r"iteration=\s*(\d+)", told)]
+    if not iterations:
+        raise RuntimeError("CalculiX told no iterations:\n" + told[-2000:])
+    return u, max(iterations)
 
 
 def run_mesher(args, name, problem, size, path):

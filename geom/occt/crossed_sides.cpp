@@ -26,7 +26,7 @@
 #include <cmath>
 #include <optional>
 
-#include "geom/occt/edge_pieces.h"
+#include "geom/occt/edge_cuts.h"
 #include "geom/occt/sub_shapes.h"
 
 namespace octet {

@@ -224,9 +224,10 @@ class Healer {
     replace(solid, sewn.solids.front());
   }
 
-  [[nodiscard]] bool keeps_volume(const TopoDS_Shape& solid, const TopoDS_Shape& repaired) {
+  /// Whether the solid, once it has this volume, is what it was before any small feature was taken away.
+  [[nodiscard]] bool keeps_volume(const TopoDS_Shape& solid, double after) {
     if (!volume_) volume_ = volume_of(solid);
-    return std::abs(volume_of(repaired) - *volume_) <= kMostVolumeShare * std::abs(*volume_);
+    return std::abs(after - *volume_) <= kMostVolumeShare * std::abs(*volume_);
   }
 
   /// Takes the repaired solid where it is as closed as it was and bounds as much, and adds the curves that
@@ -236,9 +237,8 @@ class Healer {
     const bool closed = edge_uses(solid).first(&Uses::open) == 0;
     if (closed && edge_uses(repair.solid).first(&Uses::open) != 0) return;
     const bool edges = dim == 1;
-    if (!volume_) volume_ = volume_of(solid);
     const double after = volume_of(repair.solid);
-    if (closed && std::abs(after - *volume_) > kMostVolumeShare * std::abs(*volume_)) {
+    if (closed && !keeps_volume(solid, after)) {
       set_.notes.push_back(fmt::format(
           "{} keeps {} small {}(s), for without them its volume would change from {:.6g} to {:.6g} mm^3: {}",
           name_of(solid), repair.entities.size(), edges ? "edge" : "face", *volume_, after,
@@ -275,7 +275,7 @@ class Healer {
     const Repair split = split_crossed_sides(solid);
     if (split.entities.empty()) return;
     const Repair closed = close_hairlines(split.solid, hairline);
-    if (closed.entities.empty() || !keeps_volume(solid, closed.solid)) return;
+    if (closed.entities.empty() || !keeps_volume(solid, volume_of(closed.solid))) return;
     adopt(solid, split, 1,
           "cross a side beside them that they lie on within the tolerance, and were split there");
   }

@@ -17,7 +17,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "geom/occt/edge_pieces.h"
+#include "geom/occt/edge_cuts.h"
 #include "geom/occt/shape_box.h"
 #include "geom/occt/sub_shapes.h"
 

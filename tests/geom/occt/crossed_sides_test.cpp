@@ -101,8 +101,19 @@ TEST(CrossedSides, BecomeOneEdgeUpToTheCrossing) {
   EXPECT_EQ(model.count(2), 5);
   ASSERT_EQ(model.count(3), 1);
   EXPECT_NEAR(model.region(1).volume, 0.5 * kHeight, 0.05 * kHeight);
-  // The better of the two stays.
-  for (int e = 1; e <= model.count(1); ++e) EXPECT_LE(model.edge(e).tolerance, kTolerance);
+  // The better of the two stays: from the tip to the crossing all that is left is the straight side.
+  const Vec3 tip(0, 0, 0);
+  int from_tip = 0;
+  for (int e = 1; e <= model.count(1); ++e) {
+    const ModelEdge& edge = model.edge(e);
+    const Vec3 middle = model.edge_point(e, 0.5 * (edge.t0 + edge.t1));
+    const bool at_tip = (model.vertex(edge.vertex[0]).point - tip).norm() < 1e-6 ||
+                        (model.vertex(edge.vertex[1]).point - tip).norm() < 1e-6;
+    if (!at_tip || middle.x() > 1e-6) continue;
+    ++from_tip;
+    EXPECT_NEAR(middle.z(), 0.0, 1e-9);
+  }
+  EXPECT_EQ(from_tip, 1);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Pieces keep the curve and take ranges of it.
-#include "geom/occt/edge_pieces.h"
+#include "geom/occt/edge_cuts.h"
 
 #include <BRepTools_ReShape.hxx>
 #include <BRep_Builder.hxx>
