@@ -45,6 +45,10 @@ std::uint64_t rim_key(VertexId v, int face) {
 
 }  // namespace
 
+double measure_bound(double exact, double error) {
+  return std::max(kMeasureBound * std::abs(exact), kMeasureGrowth * error);
+}
+
 void add_change(std::vector<MeasureChange>& changes, ModelRef of, double change) {
   auto it = std::find_if(changes.begin(), changes.end(), [&](const MeasureChange& c) { return c.of == of; });
   if (it == changes.end()) it = changes.insert(it, MeasureChange{of, 0.0});
@@ -60,8 +64,6 @@ BoundaryGuard::BoundaryGuard(const Model& model, const WorkMesh& mesh, std::span
       on_face_known_(mesh.points.size(), 0),
       parameter_(mesh.points.size(), 0.0),
       volume_(static_cast<std::size_t>(model.count(3)) + 1, 0.0),
-      exact_volume_(volume_.size(), 0.0),
-      allowed_(volume_.size(), 0.0),
       area_(planar_.size(), 0.0) {
   for (int face = 1; face <= model.count(2); ++face) {
     const std::size_t i = static_cast<std::size_t>(face);
@@ -82,11 +84,12 @@ void BoundaryGuard::measure_volumes(const WorkMesh& mesh, std::span<const double
     volume_[static_cast<std::size_t>(mesh.region[t])] +=
         signed_volume(mesh.point(t, 0), mesh.point(t, 1), mesh.point(t, 2), mesh.point(t, 3));
   }
+  goals_.volume.assign(volume_.size(), 0.0);
+  goals_.volume_error.assign(volume_.size(), 0.0);
   for (std::size_t r = 1; r < volume_.size(); ++r) {
     if (r < volume_beyond.size()) volume_[r] += volume_beyond[r];
-    exact_volume_[r] = model_->region(static_cast<int>(r)).volume;
-    allowed_[r] = std::max(kMeasureBound * std::abs(exact_volume_[r]),
-                           kMeasureGrowth * std::abs(volume_[r] - exact_volume_[r]));
+    goals_.volume[r] = model_->region(static_cast<int>(r)).volume;
+    goals_.volume_error[r] = measure_bound(goals_.volume[r], std::abs(volume_[r] - goals_.volume[r]));
   }
 }
 
@@ -103,13 +106,23 @@ void BoundaryGuard::measure_areas(const WorkMesh& mesh) {
     }
   }
   double all = 0.0;
+  goals_.area.assign(area_.size(), 0.0);
   for (std::size_t face = 1; face < area_.size(); ++face) {
     if (area_[face] == 0.0) continue;  // not in the mesh
-    const double exact = model_->face(static_cast<int>(face)).area;
-    all += exact;
-    area_error_ += std::abs(area_[face] - exact);
+    goals_.area[face] = model_->face(static_cast<int>(face)).area;
+    all += goals_.area[face];
+    area_error_ += std::abs(area_[face] - goals_.area[face]);
   }
-  allowed_area_error_ = std::max(kMeasureBound * all, kMeasureGrowth * area_error_);
+  goals_.area_error = measure_bound(all, area_error_);
+}
+
+void BoundaryGuard::aim_at(const MeasureGoals& goals, double most_sag) {
+  OCTET_CHECK(goals.volume.size() == volume_.size() && goals.area.size() == area_.size());
+  goals_ = goals;
+  most_sag_ = most_sag;
+  area_error_ = 0.0;
+  for (std::size_t face = 1; face < area_.size(); ++face)
+    area_error_ += std::abs(area_[face] - goals_.area[face]);
 }
 
 template <class Visit>
@@ -258,7 +271,8 @@ Fit BoundaryGuard::bound(const Fit& before, double size) const {
 }
 
 double BoundaryGuard::area_error_by(const MeasureChange& c) const {
-  const double off = area_[static_cast<std::size_t>(c.of.tag)] - model_->face(c.of.tag).area;
+  const double off =
+      area_[static_cast<std::size_t>(c.of.tag)] - goals_.area[static_cast<std::size_t>(c.of.tag)];
   return std::abs(off + c.change) - std::abs(off);
 }
 
@@ -270,11 +284,11 @@ bool BoundaryGuard::admits(std::span<const MeasureChange> changes) const {
       continue;
     }
     const std::size_t r = static_cast<std::size_t>(c.of.tag);
-    const double error = std::abs(volume_[r] - exact_volume_[r]);
-    const double after = std::abs(volume_[r] + c.change - exact_volume_[r]);
-    if (after > std::max(error, allowed_[r])) return false;
+    const double error = std::abs(volume_[r] - goals_.volume[r]);
+    const double after = std::abs(volume_[r] + c.change - goals_.volume[r]);
+    if (after > std::max(error, goals_.volume_error[r])) return false;
   }
-  return !areas_guarded_ || off <= std::max(area_error_, allowed_area_error_);
+  return !areas_guarded_ || off <= std::max(area_error_, goals_.area_error);
 }
 
 void BoundaryGuard::take(std::span<const MeasureChange> changes) {

@@ -40,6 +40,16 @@ struct MeasureChange {
   ModelRef of;
   double change = 0.0;
 };
+/// What volumes and areas are to be in the mesh that is guarded, and how far off they may get.
+struct MeasureGoals {
+  std::vector<double> volume, volume_error;  ///< per region tag
+  std::vector<double> area;                  ///< per face tag
+  double area_error = 0.0;                   ///< summed over the faces
+};
+
+/// How far a measure may get from the exact one that is off by `error` now.
+[[nodiscard]] double measure_bound(double exact, double error);
+
 /// Adds to what the list has of that entity.
 void add_change(std::vector<MeasureChange>& changes, ModelRef of, double change);
 
@@ -53,6 +63,10 @@ class BoundaryGuard {
  public:
   /// `volume_beyond`: of what is not in the mesh, per region tag; empty: nothing.
   BoundaryGuard(const Model& model, const WorkMesh& mesh, std::span<const double> volume_beyond = {});
+
+  /// For a mesh that is a part of a whole: volumes and areas to be held to in place of the model's, and the
+  /// whole's most_sag().
+  void aim_at(const MeasureGoals& goals, double most_sag);
 
   [[nodiscard]] bool planar(int face) const { return planar_[static_cast<std::size_t>(face)]; }
   /// Seat of a vertex in the closure of the face.
@@ -152,9 +166,10 @@ class BoundaryGuard {
   std::vector<char> on_face_known_;                 ///< per vertex
   std::unordered_map<std::uint64_t, Seat> on_rim_;  ///< (vertex, face): of vertices on edges; looked up only
   std::vector<double> parameter_;                   ///< per vertex: of vertices on edges
-  std::vector<double> volume_, exact_volume_, allowed_;  ///< per region tag
-  std::vector<double> area_;                             ///< per face tag
-  double area_error_ = 0.0, allowed_area_error_ = 0.0;   ///< sum of the faces' errors of area
+  MeasureGoals goals_;
+  std::vector<double> volume_;  ///< per region tag
+  std::vector<double> area_;    ///< per face tag
+  double area_error_ = 0.0;     ///< sum of the faces' errors of area
   bool areas_guarded_ = false;
   Journal journal_;
 };

@@ -4,13 +4,15 @@
 
 #include <algorithm>
 #include <numbers>
+#include <optional>
 
 #include "base/check.h"
 #include "base/error.h"
 #include "finalize/improve.h"
+#include "finalize/in_blocks.h"
 #include "finalize/relax.h"
+#include "finalize/schedule.h"
 #include "finalize/shape.h"
-#include "mesh/quality.h"
 
 namespace octet {
 namespace {
@@ -20,37 +22,6 @@ constexpr int kPasses = 8;
 constexpr int kSweeps = 1, kLastSweeps = 2;
 /// Nothing is made worse than this for the mean (radians, 35 degrees): the tail of the shapes.
 constexpr double kPolishAngle = 0.611;
-/// The worst are chased with every operator up to here (radians, 32 degrees). Measured on three parts at 100
-/// k: chasing to 20 left 18 to 25 degrees, to 28 left 28, to 32 left 30; to 35 costs four times as much and
-/// gains nothing.
-constexpr double kChaseAngle = 0.559;
-/// Angles larger than this (radians, 137.5 degrees) are worked on last, each by itself.
-constexpr double kObtuse = 2.40;
-
-/// The extreme angles of the mesh, and how many tetrahedra have one below the target.
-struct Extremes {
-  DihedralRange range{std::numbers::pi / 2, std::numbers::pi / 2};
-  std::size_t below_target = 0;
-};
-
-Extremes extremes(const WorkMesh& mesh, double target) {
-  Extremes result;
-  DihedralRange& range = result.range;
-  double of_note = 1.0;
-  for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
-    const TetId t(i);
-    // The shape is no more than the squared sine of any of the angles.
-    if (!mesh.alive(t) || mesh.quality[t] > of_note) continue;
-    const DihedralRange r =
-        dihedral_range(mesh.point(t, 0), mesh.point(t, 1), mesh.point(t, 2), mesh.point(t, 3));
-    range.smallest = std::min(range.smallest, r.smallest);
-    range.largest = std::max(range.largest, r.largest);
-    if (r.smallest < target) ++result.below_target;
-    of_note = 1.001 * shape_of_angle(std::max({range.smallest, std::numbers::pi - range.largest, target}));
-  }
-  return result;
-}
-
 /// While the worst elements are worked on, and nothing that failed before is taken as failed.
 class Chase {
  public:
@@ -96,19 +67,21 @@ void raise_mean(Workshop& shop, double floor, int sweeps, Observer& observer) {
   forget_failures(shop);
 }
 
-}  // namespace
+Extremes extremes(const WorkMesh& mesh, double target) {
+  Extremes result;
+  for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
+    const TetId t(i);
+    if (mesh.alive(t))
+      result.add(mesh.quality[t], {mesh.point(t, 0), mesh.point(t, 1), mesh.point(t, 2), mesh.point(t, 3)},
+                 target);
+  }
+  return result;
+}
 
-FinalizeReport finalize(Mesh& mesh, const Model& model, const FinalizeOptions& options, Observer& observer) {
-  OCTET_CHECK(static_cast<bool>(options.size_at));
-  Workshop shop(to_work_mesh(mesh, options.fixed_vertices), model, options);
-  for (const Mesh::Index v : options.held)
-    if (Hold& hold = shop.mesh.hold[VertexId(v)]; hold == Hold::kFree) hold = Hold::kOnBoundary;
-  const Extremes before = extremes(shop.mesh, options.target_dihedral);
-  const double polish = shape_of_angle(kPolishAngle);
-  const double target = shape_of_angle(options.target_dihedral);
-  const double chased = shape_of_angle(std::max(kChaseAngle, options.target_dihedral));
-  if (options.scope != FinalizeScope::kSmoothing) collapse_short_edges(shop);
-  switch (options.scope) {
+/// All that the scope asks for.
+void improve_all(Workshop& shop, double target, double polish, double chased, Observer& observer) {
+  if (shop.options.scope != FinalizeScope::kSmoothing) collapse_short_edges(shop);
+  switch (shop.options.scope) {
     case FinalizeScope::kSmoothing:
     case FinalizeScope::kNicks:
       for (int pass = 0; pass < kPasses; ++pass) {
@@ -126,7 +99,7 @@ FinalizeReport finalize(Mesh& mesh, const Model& model, const FinalizeOptions& o
       raise_mean(shop, polish, kSweeps, observer);
       chase(shop, chased, polish, observer);
       split_long_edges(shop, chased);
-      if (options.coarse_size_at) {
+      if (shop.options.coarse_size_at) {
         shop.coarsening = true;
         collapse_short_edges(shop);
         raise_mean(shop, polish, kSweeps, observer);
@@ -136,6 +109,38 @@ FinalizeReport finalize(Mesh& mesh, const Model& model, const FinalizeOptions& o
       raise_mean(shop, polish, kLastSweeps, observer);
       open_obtuse(shop, observer);
       break;
+  }
+}
+
+}  // namespace
+
+void Extremes::add(double shape, const std::array<Vec3, 4>& points, double target) {
+  // The shape is no more than the squared sine of any of the angles.
+  if (shape > of_note_) return;
+  const DihedralRange r = dihedral_range(points[0], points[1], points[2], points[3]);
+  range.smallest = std::min(range.smallest, r.smallest);
+  range.largest = std::max(range.largest, r.largest);
+  if (r.smallest < target) ++below_target;
+  of_note_ = 1.001 * shape_of_angle(std::max({range.smallest, std::numbers::pi - range.largest, target}));
+}
+
+void Extremes::join(const Extremes& other) {
+  range.smallest = std::min(range.smallest, other.range.smallest);
+  range.largest = std::max(range.largest, other.range.largest);
+  below_target += other.below_target;
+}
+
+FinalizeReport run_schedule(Workshop& shop, Aim aim, Mesh& mesh, Observer& observer) {
+  const FinalizeOptions& options = shop.options;
+  const Extremes before = extremes(shop.mesh, options.target_dihedral);
+  const double polish = shape_of_angle(kPolishAngle);
+  const double target = shape_of_angle(options.target_dihedral);
+  const double chased = shape_of_angle(std::max(kChaseAngle, options.target_dihedral));
+  if (aim == Aim::kScope) {
+    improve_all(shop, target, polish, chased, observer);
+  } else {
+    chase(shop, options.scope == FinalizeScope::kFast ? target : chased, polish, observer);
+    open_obtuse(shop, observer);
   }
   Extremes after = extremes(shop.mesh, options.target_dihedral);
   const double kept = options.coarse_size_at ? std::min(before.range.smallest, options.target_dihedral)
@@ -152,6 +157,14 @@ FinalizeReport finalize(Mesh& mesh, const Model& model, const FinalizeOptions& o
   shop.report.max_dihedral_after = after.range.largest;
   shop.report.below_target = after.below_target;
   return shop.report;
+}
+
+FinalizeReport finalize(Mesh& mesh, const Model& model, const FinalizeOptions& options, Observer& observer) {
+  OCTET_CHECK(static_cast<bool>(options.size_at));
+  if (std::optional<FinalizeReport> report = finalize_in_blocks(mesh, model, options, observer))
+    return *report;
+  Workshop shop(mesh, model, options);
+  return run_schedule(shop, Aim::kScope, mesh, observer);
 }
 
 }  // namespace octet

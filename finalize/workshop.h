@@ -18,6 +18,12 @@ struct Workshop {
         model(the_model),
         options(the_options),
         guard(the_model, mesh, the_options.volume_beyond) {}
+  /// Of a mesh, with what the options fix and hold of it.
+  Workshop(const Mesh& given, const Model& the_model, const FinalizeOptions& the_options)
+      : Workshop(to_work_mesh(given, the_options.fixed_vertices), the_model, the_options) {
+    for (const Mesh::Index v : the_options.held)
+      if (Hold& hold = mesh.hold[VertexId(v)]; hold == Hold::kFree) hold = Hold::kOnBoundary;
+  }
 
   WorkMesh mesh;
   const Model& model;

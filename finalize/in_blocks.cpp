@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Finalization of large meshes in blocks, side by side.
+#include "finalize/in_blocks.h"
+
+#include <fmt/format.h>
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_reduce.h>
+#include <oneapi/tbb/parallel_sort.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <algorithm>
+#include <atomic>
+#include <memory>
+#include <numeric>
+#include <thread>
+#include <tuple>
+
+#include "base/error.h"
+#include "finalize/blocks.h"
+#include "finalize/measure_account.h"
+#include "finalize/schedule.h"
+#include "finalize/shape.h"
+
+namespace octet {
+namespace {
+
+using Vertices = std::vector<Mesh::Index>;
+using Tets = std::vector<Mesh::Index>;
+
+/// So many layers of tetrahedra about seams are worked on again.
+constexpr int kSeamLayers = 3;
+/// The largest share of a mesh about its seams that is worth while: it is worked on twice.
+constexpr double kMostAtSeams = 0.3;
+
+/// For blocks on other threads: asks the caller's observer on the caller's thread alone, as it is promised.
+class Watch : public Observer {
+ public:
+  explicit Watch(const Observer& caller) : caller_(caller) {}
+  [[nodiscard]] bool cancelled() const override {
+    if (std::this_thread::get_id() == thread_ && caller_.cancelled()) cancelled_ = true;
+    return cancelled_;
+  }
+
+ private:
+  const Observer& caller_;
+  std::thread::id thread_ = std::this_thread::get_id();
+  mutable std::atomic<bool> cancelled_ = false;
+};
+
+void add_to(FinalizeReport& sum, const FinalizeReport& block) {
+  sum.min_dihedral_before = std::min(sum.min_dihedral_before, block.min_dihedral_before);
+  sum.smoothed += block.smoothed;
+  sum.edge_removals += block.edge_removals;
+  sum.face_swaps += block.face_swaps;
+  sum.collapses += block.collapses;
+  sum.splits += block.splits;
+  sum.budget_spent = sum.budget_spent || block.budget_spent;
+}
+
+/// One call of `work` for each of the numbers. A thread that waits for others within one begins no other.
+template <class Work>
+void for_each_block(std::size_t count, const Work& work) {
+  tbb::parallel_for(
+      tbb::blocked_range<std::size_t>(0, count, 1),
+      [&](const auto& range) {
+        for (std::size_t b = range.begin(); b < range.end(); ++b)
+          tbb::this_task_arena::isolate([&] { work(b); });
+      },
+      tbb::simple_partitioner());
+}
+
+/// A block being worked on. Not to be moved: the shop refers to the options.
+struct Task {
+  Block block;
+  Measures before, after;
+  FinalizeOptions options;
+  std::unique_ptr<Workshop> shop;
+  FinalizeReport report;
+
+  void begin(const Blocks& blocks, std::size_t b, const Model& model, const FinalizeOptions& of_all) {
+    block = blocks.cut_out(b);
+    before = measures_of(block.mesh, model);
+    options = of_all;
+    options.volume_beyond.clear();  // the account has it
+    options.fixed_vertices = block.fixed;
+    options.held.resize(block.held);
+    std::iota(options.held.begin(), options.held.end(), static_cast<Mesh::Index>(block.fixed));
+    shop = std::make_unique<Workshop>(block.mesh, model, options);
+  }
+};
+
+/// Puts edges and triangles into the order that to_mesh() has.
+void sort_elements(Mesh& mesh) {
+  const auto sort = [](auto& elements, auto& on) {
+    using Element = typename std::decay_t<decltype(elements)>::value_type;
+    std::vector<std::pair<std::int32_t, Element>> all(on.size());
+    for (std::size_t i = 0; i < on.size(); ++i) all[i] = {on[i], elements[i]};
+    tbb::parallel_sort(all.begin(), all.end());
+    for (std::size_t i = 0; i < on.size(); ++i) std::tie(on[i], elements[i]) = all[i];
+  };
+  for (auto& t : mesh.triangles) std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+  sort(mesh.triangles, mesh.triangle_on);
+  sort(mesh.edges, mesh.edge_on);
+}
+
+std::array<Vec3, 4> corners(const Mesh& mesh, std::size_t tet) {
+  const auto& t = mesh.tets[tet];
+  return {mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]], mesh.points[t[3]]};
+}
+
+Extremes extremes(const Mesh& mesh, double target) {
+  return tbb::parallel_reduce(
+      tbb::blocked_range<std::size_t>(0, mesh.tets.size(), 4096), Extremes{},
+      [&](const auto& range, Extremes sum) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i) {
+          const std::array<Vec3, 4> p = corners(mesh, i);
+          sum.add(shape(p[0], p[1], p[2], p[3]), p, target);
+        }
+        return sum;
+      },
+      [](Extremes a, const Extremes& b) {
+        a.join(b);
+        return a;
+      });
+}
+
+/// Those of the vertices that stayed, as they are numbered now.
+void renumber(Vertices& vertices, const Vertices& number) {
+  for (Mesh::Index& v : vertices) v = number[v];
+  std::erase(vertices, Blocks::kGone);
+}
+
+/// A mesh on its way through blocks.
+class Passage {
+ public:
+  Passage(Mesh& mesh, const Model& model, const FinalizeOptions& options, Observer& observer)
+      : mesh_(mesh),
+        model_(model),
+        options_(options),
+        observer_(observer),
+        account_(mesh, model, options.volume_beyond) {
+    report_.min_dihedral_before = std::numbers::pi / 2;
+  }
+
+  [[nodiscard]] Blocks cut(Tets tets, std::size_t most) const {
+    return {mesh_, options_.fixed_vertices, options_.held, std::move(tets), most};
+  }
+
+  /// Works on the blocks; the tetrahedra about their seams.
+  Tets work_on(const Blocks& blocks, Aim aim) {
+    if (observer_.cancelled()) throw Cancelled();
+    std::vector<Task> tasks(blocks.size());
+    run(blocks, aim, tasks);
+    std::vector<Block> done;
+    for (Task& task : tasks) done.push_back(std::move(task.block));
+    Vertices seam = blocks.seam();
+    rims_.insert(rims_.end(), blocks.rim().begin(), blocks.rim().end());
+    if (options_.scope == FinalizeScope::kSmoothing) {
+      blocks.move_to(done, mesh_.points);
+    } else {
+      Blocks::Whole whole = blocks.put_together(done);
+      renumber(seam, whole.number);
+      renumber(rims_, whole.number);
+      options_.held = std::move(whole.held);
+      mesh_ = std::move(whole.mesh);
+    }
+    return tets_near(mesh_, seam, kSeamLayers);
+  }
+
+  /// Tetrahedra about those at the rims of blocks about seams whose shapes fall short: there what was made
+  /// could not be worked on.
+  [[nodiscard]] Tets short_at_rims() const {
+    Vertices vertices;
+    for (const Mesh::Index t : tets_near(mesh_, rims_, 1)) {
+      const std::array<Vec3, 4> p = corners(mesh_, t);
+      const DihedralRange range = dihedral_range(p[0], p[1], p[2], p[3]);
+      if (range.smallest < kChaseAngle || range.largest > kObtuse)
+        vertices.insert(vertices.end(), mesh_.tets[t].begin(), mesh_.tets[t].end());
+    }
+    return tets_near(mesh_, vertices, kSeamLayers);
+  }
+
+  [[nodiscard]] FinalizeReport finish() {
+    sort_elements(mesh_);
+    const Extremes after = extremes(mesh_, options_.target_dihedral);
+    report_.min_dihedral_after = after.range.smallest;
+    report_.max_dihedral_after = after.range.largest;
+    report_.below_target = after.below_target;
+    return report_;
+  }
+
+ private:
+  void run(const Blocks& blocks, Aim aim, std::vector<Task>& tasks) {
+    for_each_block(tasks.size(), [&](std::size_t b) { tasks[b].begin(blocks, b, model_, options_); });
+    for (const Task& task : tasks) most_sag_ = std::max(most_sag_, task.shop->guard.most_sag());
+    Watch watch(observer_);
+    for_each_block(tasks.size(), [&](std::size_t b) {
+      Task& task = tasks[b];
+      task.shop->guard.aim_at(account_.goals_of(task.before), most_sag_);
+      task.report = run_schedule(*task.shop, aim, task.block.mesh, watch);
+      task.shop.reset();
+      task.after = measures_of(task.block.mesh, model_);
+    });
+    std::size_t count = 0;
+    for (const Task& task : tasks) {
+      account_.add(task.before, task.after);
+      add_to(report_, task.report);
+      count += task.block.mesh.tets.size();
+    }
+    observer_.note(fmt::format("finalization: {} tetrahedra in {} blocks", count, tasks.size()));
+  }
+
+  Mesh& mesh_;
+  const Model& model_;
+  FinalizeOptions options_;  ///< what is held is numbered as the mesh is now
+  Observer& observer_;
+  MeasureAccount account_;
+  FinalizeReport report_;
+  double most_sag_ = 0.0;  ///< of the blocks at first
+  Vertices rims_;
+};
+
+}  // namespace
+
+std::optional<FinalizeReport> finalize_in_blocks(Mesh& mesh, const Model& model,
+                                                 const FinalizeOptions& options, Observer& observer) {
+  if (mesh.tets.size() <= options.block_tets) return std::nullopt;
+  Passage passage(mesh, model, options, observer);
+  Tets todo(mesh.tets.size());
+  std::iota(todo.begin(), todo.end(), 0);
+  auto blocks = std::make_unique<Blocks>(passage.cut(std::move(todo), options.block_tets));
+  const std::size_t at_seams = tets_near(mesh, blocks->seam(), kSeamLayers).size();
+  if (static_cast<double>(at_seams) > kMostAtSeams * static_cast<double>(mesh.tets.size()))
+    return std::nullopt;
+  for (std::size_t before = mesh.tets.size();;) {
+    todo = passage.work_on(*blocks, Aim::kScope);
+    if (todo.empty()) break;
+    // What does not get less is taken as one.
+    const std::size_t count = todo.size(), most = 2 * count > before ? count : options.block_tets;
+    blocks = std::make_unique<Blocks>(passage.cut(std::move(todo), most));
+    before = count;
+  }
+  if (options.scope == FinalizeScope::kFast || options.scope == FinalizeScope::kAll) {
+    todo = passage.short_at_rims();
+    if (!todo.empty()) passage.work_on(passage.cut(std::move(todo), options.block_tets), Aim::kWorst);
+  }
+  return passage.finish();
+}
+
+}  // namespace octet
