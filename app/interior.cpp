@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "base/blocks.h"
+
 namespace octet {
 namespace {
 
@@ -59,16 +61,14 @@ void add_tets(const OctreeVertices& vertices, const SharedFace& face, const Numb
 
 /// The faces between template octants whose lower role is this.
 std::vector<SharedFace> shared_faces(const Octree& tree, const BandAndInterior& split, OctantRole wanted) {
-  std::vector<SharedFace> faces;
-  for (std::uint32_t o = 0; o < tree.size(); ++o) {
-    if (split.role[o] < wanted) continue;
+  return collect<SharedFace>(tree.size(), kGrain, [&](std::size_t o, std::vector<SharedFace>& faces) {
+    if (split.role[o] < wanted) return;
     for (std::uint8_t axis = 0; axis < 3; ++axis) {
       const std::optional<OctantId> upper = tree.across(OctantId(o), axis, true);
       if (upper && std::min(split.role[o], split.role[upper->index()]) == wanted)
-        faces.push_back({o, upper->index(), axis});
+        faces.push_back({static_cast<std::uint32_t>(o), upper->index(), axis});
     }
-  }
-  return faces;
+  });
 }
 
 /// The octree vertices of deep tetrahedra.

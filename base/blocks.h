@@ -20,4 +20,27 @@ template <class Result, class Body>
   return results;
 }
 
+/// The lists one after the other, copied in parallel.
+template <class Item>
+[[nodiscard]] std::vector<Item> joined(const std::vector<std::vector<Item>>& lists) {
+  std::vector<std::size_t> begin(lists.size() + 1, 0);
+  for (std::size_t b = 0; b < lists.size(); ++b) begin[b + 1] = begin[b] + lists[b].size();
+  std::vector<Item> all(begin.back());
+  tbb::parallel_for(std::size_t{0}, lists.size(), [&](std::size_t b) {
+    std::copy(lists[b].begin(), lists[b].end(), all.begin() + static_cast<std::ptrdiff_t>(begin[b]));
+  });
+  return all;
+}
+
+/// What visit(i, items) appends to its list for each i of [0, n), joined in the order of i. Blocks in
+/// parallel.
+template <class Item, class Visit>
+[[nodiscard]] std::vector<Item> collect(std::size_t n, std::size_t block, const Visit& visit) {
+  return joined(map_blocks<std::vector<Item>>(n, block, [&](std::size_t first, std::size_t last) {
+    std::vector<Item> items;
+    for (std::size_t i = first; i < last; ++i) visit(i, items);
+    return items;
+  }));
+}
+
 }  // namespace octet

@@ -2,6 +2,9 @@
 // Sorting by a number that has about as many values as there are items.
 #pragma once
 
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -9,7 +12,8 @@
 
 namespace octet {
 
-/// Sorts by bucket_of(item), in 0..buckets-1, then by `less`. O(n + buckets) where all buckets are small.
+/// Sorts by bucket_of(item), in 0..buckets-1, then by `less`. O(n + buckets) where all buckets are small; the
+/// buckets are sorted in parallel.
 /// Requires fewer than 2^32 items.
 template <class Item, class BucketOf, class Less>
 void bucket_sort(std::vector<Item>& items, std::size_t buckets, const BucketOf& bucket_of, const Less& less) {
@@ -18,9 +22,10 @@ void bucket_sort(std::vector<Item>& items, std::size_t buckets, const BucketOf& 
   for (std::size_t b = 0; b < buckets; ++b) end[b + 1] += end[b];
   std::vector<Item> sorted(items.size());
   for (const Item& item : items) sorted[end[bucket_of(item)]++] = item;
-  std::uint32_t begin = 0;
-  for (std::size_t b = 0; b < buckets; begin = end[b++])
-    std::sort(sorted.begin() + begin, sorted.begin() + end[b], less);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, buckets, 4096), [&](const auto& range) {
+    for (std::size_t b = range.begin(); b != range.end(); ++b)
+      std::sort(sorted.begin() + (b == 0 ? 0 : end[b - 1]), sorted.begin() + end[b], less);
+  });
   items.swap(sorted);
 }
 

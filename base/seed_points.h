@@ -28,6 +28,18 @@ struct SeedPoints {
     spacing.push_back(h);
     return position.size() - 1;
   }
+  void resize(std::size_t n) {
+    position.resize(n);
+    on.resize(n);
+    order.resize(n);
+    spacing.resize(n);
+  }
+  void set(std::size_t i, const Vec3& p, ModelRef ref, std::uint64_t rank, double h) {
+    position[i] = p;
+    on[i] = ref;
+    order[i] = rank;
+    spacing[i] = h;
+  }
 };
 
 /// One piece of a model edge between two consecutive points on it.

@@ -2,13 +2,19 @@
 // Compaction in the order of the points, so that the bytes depend on the input alone.
 #include "classify/extract.h"
 
+#include <oneapi/tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "base/blocks.h"
 #include "base/bucket_sort.h"
 
 namespace octet {
 namespace {
+
+/// Tetrahedra looked at by one task.
+constexpr std::size_t kScanBlock = 16384;
 
 class Extractor {
  public:
@@ -19,11 +25,20 @@ class Extractor {
 
   /// Numbers `first` in their order, then the other used points in theirs.
   void number(std::span<const std::uint32_t> first) {
-    for (const std::uint32_t p : first) take(p);
+    std::vector<std::uint32_t> order(first.begin(), first.end());
     for (const std::uint32_t p : first) number_[p] = kUnused;
-    for (std::uint32_t p = 0; p < number_.size(); ++p)
-      if (number_[p] != kUnused) take(p);
+    for (std::uint32_t p = 0; p < number_.size(); ++p) {
+      if (number_[p] == kUnused) continue;
+      number_[p] = static_cast<std::uint32_t>(order.size());
+      order.push_back(p);
+    }
     for (std::uint32_t n = 0; n < first.size(); ++n) number_[first[n]] = n;
+    mesh.points.resize(order.size());
+    mesh.point_on.resize(order.size());
+    tbb::parallel_for(std::size_t{0}, order.size(), [&](std::size_t n) {
+      mesh.points[n] = points_[order[n]];
+      mesh.point_on[n] = on_[order[n]];
+    });
   }
   [[nodiscard]] std::uint32_t operator()(std::uint32_t p) const { return number_[p]; }
 
@@ -31,12 +46,6 @@ class Extractor {
 
  private:
   static constexpr std::uint32_t kUnused = UINT32_MAX;
-
-  void take(std::uint32_t p) {
-    number_[p] = static_cast<std::uint32_t>(mesh.points.size());
-    mesh.points.push_back(points_[p]);
-    mesh.point_on.push_back(on_[p]);
-  }
 
   std::span<const Vec3> points_;
   std::span<const ModelRef> on_;
@@ -56,13 +65,15 @@ void order_by_vertices(Mesh& mesh) {
   };
   const auto lowest = [](const Placed& p) { return *std::min_element(p.tet.begin(), p.tet.end()); };
   std::vector<Placed> placed(mesh.tets.size());
-  for (std::size_t i = 0; i < placed.size(); ++i) placed[i] = {mesh.tets[i], mesh.tet_in[i]};
+  tbb::parallel_for(std::size_t{0}, placed.size(), [&](std::size_t i) {
+    placed[i] = {mesh.tets[i], mesh.tet_in[i]};
+  });
   bucket_sort(placed, mesh.points.size(), lowest,
               [](const Placed& a, const Placed& b) { return a.tet < b.tet; });
-  for (std::size_t i = 0; i < placed.size(); ++i) {
+  tbb::parallel_for(std::size_t{0}, placed.size(), [&](std::size_t i) {
     mesh.tets[i] = placed[i].tet;
     mesh.tet_in[i] = placed[i].region;
-  }
+  });
 }
 
 }  // namespace
@@ -71,33 +82,39 @@ Mesh extract_mesh(Band& band, const TetMesh& tets, std::span<const Vec3> points,
                   const EdgeChains& chains, const ExtraTets& extra) {
   const Model& model = band.model();
   Extractor out(points, on);
-  std::vector<TetId> kept;
-  for (std::size_t i = 0; i < tets.tets.size(); ++i) {
-    const TetId t(i);
-    if (!tets.alive(t) || band.region(t) == 0 || tets.ghost(t)) continue;
-    const auto& v = tets.tets[t];
-    const Vec3 centroid =
-        0.25 * (tets.points[v[0]] + tets.points[v[1]] + tets.points[v[2]] + tets.points[v[3]]);
-    if (extra.covers && extra.covers(centroid)) continue;
-    kept.push_back(t);
-    for (const VertexId p : v) out.use(p.index());
-  }
+  const auto kept =
+      collect<TetId>(tets.tets.size(), kScanBlock, [&](std::size_t i, std::vector<TetId>& found) {
+        const TetId t(i);
+        if (!tets.alive(t) || band.region(t) == 0 || tets.ghost(t)) return;
+        const auto& v = tets.tets[t];
+        const Vec3 centroid =
+            0.25 * (tets.points[v[0]] + tets.points[v[1]] + tets.points[v[2]] + tets.points[v[3]]);
+        if (!extra.covers || !extra.covers(centroid)) found.push_back(t);
+      });
+  for (const TetId t : kept)
+    for (const VertexId p : tets.tets[t]) out.use(p.index());
   for (const auto& t : extra.tets)
     for (const std::uint32_t p : t) out.use(p);
   out.number(extra.first);
   Mesh& mesh = out.mesh;
-  for (const TetId t : kept) {
-    const auto& v = tets.tets[t];
-    mesh.tets.push_back({out(v[0].index()), out(v[1].index()), out(v[2].index()), out(v[3].index())});
-    mesh.tet_in.push_back(band.region(t));
-  }
-  for (std::size_t i = 0; i < extra.tets.size(); ++i) {
+  mesh.tets.resize(kept.size() + extra.tets.size());
+  mesh.tet_in.resize(mesh.tets.size());
+  tbb::parallel_for(std::size_t{0}, kept.size(), [&](std::size_t i) {
+    const auto& v = tets.tets[kept[i]];
+    mesh.tets[i] = {out(v[0].index()), out(v[1].index()), out(v[2].index()), out(v[3].index())};
+    mesh.tet_in[i] = band.region(kept[i]);
+  });
+  tbb::parallel_for(std::size_t{0}, extra.tets.size(), [&](std::size_t i) {
     const auto& v = extra.tets[i];
-    mesh.tets.push_back({out(v[0]), out(v[1]), out(v[2]), out(v[3])});
-    mesh.tet_in.push_back(extra.region[i]);
-  }
+    mesh.tets[kept.size() + i] = {out(v[0]), out(v[1]), out(v[2]), out(v[3])};
+    mesh.tet_in[kept.size() + i] = extra.region[i];
+  });
   order_by_vertices(mesh);
-  for (const BoundaryFacet& f : band.facets(tets, on)) {
+  const std::vector<BoundaryFacet>& facets = band.facets(tets, on);
+  mesh.triangles.resize(facets.size());
+  mesh.triangle_on.resize(facets.size());
+  tbb::parallel_for(std::size_t{0}, facets.size(), [&](std::size_t i) {
+    const BoundaryFacet& f = facets[i];
     std::array<std::uint32_t, 3> v{out(f.v[0].index()), out(f.v[1].index()), out(f.v[2].index())};
     const int face =
         f.face > 0
@@ -105,9 +122,9 @@ Mesh extract_mesh(Band& band, const TetMesh& tets, std::span<const Vec3> points,
             : nearest_face(model, (tets.points[f.v[0]] + tets.points[f.v[1]] + tets.points[f.v[2]]) / 3.0);
     // The facet is listed outwards from the region of `tet`; the model face's normal points to region[1].
     if (model.face(face).region[0] != band.region(f.tet)) std::swap(v[1], v[2]);
-    mesh.triangles.push_back(v);
-    mesh.triangle_on.push_back(face);
-  }
+    mesh.triangles[i] = v;
+    mesh.triangle_on[i] = face;
+  });
   for (const EdgePiece& p : chains.pieces()) {
     if (out(p.a) == UINT32_MAX || out(p.b) == UINT32_MAX) continue;
     mesh.edges.push_back({out(p.a), out(p.b)});

@@ -14,6 +14,7 @@ struct ExtraTets {
   std::vector<std::int32_t> region;
   std::vector<std::uint32_t> first;  ///< points that become the first vertices of the mesh, in this order
   /// Whether the band's own tetrahedron fills the space of these and is dropped; may be empty.
+  /// Asked by many threads at once.
   std::function<bool(const Vec3& centroid)> covers;
 };
 

@@ -10,6 +10,7 @@
 #include <limits>
 #include <map>
 
+#include "base/blocks.h"
 #include "base/bucket_sort.h"
 #include "classify/dual_crossings.h"
 #include "mesh/circumcentre.h"
@@ -22,6 +23,11 @@ struct EdgeUseOfFacet {
   std::uint32_t a, b;  ///< a < b
   std::uint32_t facet;
 };
+
+bool same_edge(const EdgeUseOfFacet& x, const EdgeUseOfFacet& y) { return x.a == y.a && x.b == y.b; }
+
+/// Items looked at by one task.
+constexpr std::size_t kBlock = 16384;
 
 /// Sorted by a, b, facet.
 std::vector<EdgeUseOfFacet> edge_uses(std::size_t vertices, const std::vector<BoundaryFacet>& facets) {
@@ -64,15 +70,17 @@ class GapFinder {
   }
 
   void missing_pieces() {
+    const auto found = collect<std::uint32_t>(
+        mesh_.tets.size(), kBlock, [&](std::size_t i, std::vector<std::uint32_t>& pieces) {
+          const TetId t(i);
+          if (!mesh_.alive(t) || mesh_.ghost(t)) return;
+          const auto& v = mesh_.tets[t];
+          for (const auto& e : kTetEdge) {
+            if (const std::uint32_t n = piece_at(v[e[0]], v[e[1]]); n != UINT32_MAX) pieces.push_back(n);
+          }
+        });
     std::vector<std::uint8_t> present(chains_.pieces().size(), 0);
-    for (std::size_t i = 0; i < mesh_.tets.size(); ++i) {
-      const TetId t(i);
-      if (!mesh_.alive(t) || mesh_.ghost(t)) continue;
-      const auto& v = mesh_.tets[t];
-      for (const auto& e : kTetEdge) {
-        if (const std::uint32_t n = piece_at(v[e[0]], v[e[1]]); n != UINT32_MAX) present[n] = 1;
-      }
-    }
+    for (const std::uint32_t n : found) present[n] = 1;
     for (std::uint32_t n = 0; n < present.size(); ++n)
       if (!present[n]) add_piece(GapKind::kMissingPiece, n);
   }
@@ -117,10 +125,24 @@ class GapFinder {
     std::vector<std::uint8_t> seen(chains_.pieces().size(), 0);
     for (const Gap& missing : gaps_)
       if (missing.kind == GapKind::kMissingPiece) seen[missing.piece] = 1;
+    // All that a model edge or a gap may be at: most edges are of two facets on one face, and no more is
+    // asked.
+    const auto is_plain = [&](std::size_t i) {
+      if (i + 1 == uses.size() || !same_edge(uses[i], uses[i + 1])) return false;
+      if (i + 2 < uses.size() && same_edge(uses[i], uses[i + 2])) return false;
+      const int face = (*facets_)[uses[i].facet].face;
+      return face != 0 && face == (*facets_)[uses[i + 1].facet].face &&
+             piece_at(VertexId(uses[i].a), VertexId(uses[i].b)) == UINT32_MAX;
+    };
+    const auto groups =
+        collect<std::size_t>(uses.size(), kBlock, [&](std::size_t i, std::vector<std::size_t>& starts) {
+          if ((i == 0 || !same_edge(uses[i - 1], uses[i])) && !is_plain(i)) starts.push_back(i);
+        });
     std::vector<int> faces;
-    for (std::size_t i = 0, j = 0; i < uses.size(); i = j) {
+    for (const std::size_t i : groups) {
       faces.clear();
-      for (j = i; j < uses.size() && uses[j].a == uses[i].a && uses[j].b == uses[i].b; ++j)
+      std::size_t j = i;
+      for (; j < uses.size() && same_edge(uses[i], uses[j]); ++j)
         faces.push_back((*facets_)[uses[j].facet].face);
       std::sort(faces.begin(), faces.end());
       if (faces[0] == 0) {  // reported as kNoFace
@@ -159,14 +181,27 @@ class GapFinder {
         corners, on_.size(), [](const auto& corner) { return corner.first; },
         [](const auto& x, const auto& y) { return x.second < y.second; });
     std::vector<std::uint8_t> bare(on_.size(), 1);
-    std::vector<std::uint32_t> around;
-    for (std::size_t i = 0, j = 0; i < corners.size(); i = j) {
-      around.clear();
-      for (j = i; j < corners.size() && corners[j].first == corners[i].first; ++j)
-        around.push_back(corners[j].second);
-      bare[corners[i].first] = 0;
-      vertex_fans(VertexId(corners[i].first), around);
-    }
+    for (const auto& corner : corners) bare[corner.first] = 0;
+    const auto broken =
+        map_blocks<std::vector<BrokenFan>>(corners.size(), kBlock, [&](std::size_t first, std::size_t last) {
+          std::vector<BrokenFan> found;
+          std::vector<std::uint32_t> around;
+          Fan fan;
+          const auto begins = [&](std::size_t i) {
+            return i == 0 || corners[i - 1].first != corners[i].first;
+          };
+          for (std::size_t i = first; i < last; ++i) {
+            if (!begins(i)) continue;
+            around.clear();
+            for (std::size_t j = i; j < corners.size() && corners[j].first == corners[i].first; ++j)
+              around.push_back(corners[j].second);
+            const VertexId v(corners[i].first);
+            if (!is_whole(v, around, fan)) found.push_back({v, worst_of(around)});
+          }
+          return found;
+        });
+    for (const auto& list : broken)
+      for (const BrokenFan& fan : list) add_facet(GapKind::kVertexFan, fan.facet, on_[fan.vertex.index()]);
     for (std::uint32_t v = 0; v < on_.size(); ++v)
       if (bare[v] && on_[v].dim == 2 && bounds_a_region(on_[v].tag)) {
         Gap gap;
@@ -199,27 +234,36 @@ class GapFinder {
     return model_.face(face).region[0] != model_.face(face).region[1];
   }
 
-  void vertex_fans(VertexId v, const std::vector<std::uint32_t>& around) {
+  struct BrokenFan {
+    VertexId vertex;
+    std::uint32_t facet;  ///< the worst there
+  };
+  /// What count_loops() finds, and works in.
+  struct Fan {
+    int components = 0;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> spokes;
+    std::vector<int> open;
+    std::vector<std::uint32_t> parent;
+    std::vector<int> has_end;
+  };
+
+  /// Whether the facets around a vertex are as they should be, or not so in a way that is reported elsewhere.
+  [[nodiscard]] bool is_whole(VertexId v, const std::vector<std::uint32_t>& around, Fan& fan) const {
     const ModelRef on = on_[v.index()];
-    if (on.dim > 2) {  // an octree vertex on the boundary: its facets are reported as kNoFace
-      return;
-    }
-    const int loops = count_loops(v, around);
+    if (on.dim > 2) return true;  // an octree vertex on the boundary: its facets are reported as kNoFace
+    const int loops = count_loops(v, around, fan);
     int expected = 0;
     if (on.dim == 2) expected = 1;
     if (on.dim == 0) expected = edgeless_faces(on.tag);
-    if (loops == expected && (on.dim != 2 || components_ == 1)) return;
-    if (loops < 0) return;  // an edge with other than two facets: reported as kEdgeFan
-    std::uint32_t worst = around.front();
-    double radius = -1.0;
-    for (const std::uint32_t n : around) {
-      const double r = facet_radius((*facets_)[n]);
-      if (r > radius) {
-        radius = r;
-        worst = n;
-      }
-    }
-    add_facet(GapKind::kVertexFan, worst, on);
+    if (loops == expected && (on.dim != 2 || fan.components == 1)) return true;
+    return loops < 0;  // an edge with other than two facets: reported as kEdgeFan
+  }
+
+  /// The first of the facets with the largest circumradius.
+  [[nodiscard]] std::uint32_t worst_of(const std::vector<std::uint32_t>& facets) const {
+    return *std::max_element(facets.begin(), facets.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return facet_radius((*facets_)[a]) < facet_radius((*facets_)[b]);
+    });
   }
 
   /// Faces in whose closure the vertex lies although none of its real edges bounds them.
@@ -241,9 +285,9 @@ class GapFinder {
 
   /// Number of closed fans of facets around v (joined over non-piece edges); -1 when an edge joins other than
   /// two.
-  int count_loops(VertexId v, const std::vector<std::uint32_t>& around) {
+  int count_loops(VertexId v, const std::vector<std::uint32_t>& around, Fan& fan) const {
     // spokes: the far ends of the edges at v that are no pieces, with the facets that use them.
-    auto& [spokes, open, parent, has_end] = fan_;
+    auto& [components, spokes, open, parent, has_end] = fan;
     spokes.clear();
     open.assign(around.size(), 0);
     for (std::uint32_t k = 0; k < around.size(); ++k)
@@ -257,7 +301,7 @@ class GapFinder {
     std::sort(spokes.begin(), spokes.end());
     parent.resize(around.size());
     for (std::uint32_t k = 0; k < parent.size(); ++k) parent[k] = k;
-    const auto root = [&parent = fan_.parent](std::uint32_t k) {
+    const auto root = [&parent = fan.parent](std::uint32_t k) {
       while (parent[k] != k) k = parent[k] = parent[parent[k]];
       return k;
     };
@@ -269,10 +313,10 @@ class GapFinder {
     has_end.assign(around.size(), 0);
     for (std::uint32_t k = 0; k < around.size(); ++k) has_end[root(k)] |= open[k];
     int loops = 0;
-    components_ = 0;
+    components = 0;
     for (std::uint32_t k = 0; k < around.size(); ++k) {
       if (parent[k] != k) continue;
-      ++components_;
+      ++components;
       loops += !has_end[k];
     }
     return loops;
@@ -291,13 +335,6 @@ class GapFinder {
   Band& band_;
   const std::vector<BoundaryFacet>* facets_ = nullptr;
   std::vector<Gap> gaps_;
-  int components_ = 0;
-  struct {
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> spokes;
-    std::vector<int> open;
-    std::vector<std::uint32_t> parent;
-    std::vector<int> has_end;
-  } fan_;  ///< what count_loops() works in
 };
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <span>
 
+#include "base/blocks.h"
 #include "mesh/sort_triple.h"
 #include "mesh/tet_mesh.h"
 
@@ -15,6 +16,9 @@ namespace octet {
 namespace {
 
 using Index = Mesh::Index;
+
+/// Tetrahedra looked at by one task.
+constexpr std::size_t kScanBlock = 16384;
 
 struct Placed {
   std::array<float, 3> centre;
@@ -285,25 +289,24 @@ void Blocks::move_to(const std::vector<Block>& blocks, std::vector<Vec3>& points
 }
 
 std::vector<Mesh::Index> tets_near(const Mesh& mesh, const std::vector<Mesh::Index>& vertices, int layers) {
-  std::vector<std::uint8_t> layer_of(mesh.points.size(), 0xff);
-  for (const Index v : vertices) layer_of[v] = 0;
-  std::vector<char> near(mesh.tets.size(), 0);
+  std::vector<char> vertex_near(mesh.points.size(), 0), near(mesh.tets.size(), 0);
+  for (const Index v : vertices) vertex_near[v] = 1;
   for (int layer = 0; layer < layers; ++layer) {
-    std::vector<Index> next;
-    for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
-      const auto& v = mesh.tets[t];
-      if (near[t] || std::none_of(v.begin(), v.end(), [&](Index w) { return layer_of[w] <= layer; }))
-        continue;
+    const auto found =
+        collect<Index>(mesh.tets.size(), kScanBlock, [&](std::size_t t, std::vector<Index>& tets) {
+          const auto& v = mesh.tets[t];
+          if (!near[t] &&
+              (vertex_near[v[0]] | vertex_near[v[1]] | vertex_near[v[2]] | vertex_near[v[3]]) != 0)
+            tets.push_back(static_cast<Index>(t));
+        });
+    for (const Index t : found) {
       near[t] = 1;
-      next.insert(next.end(), v.begin(), v.end());
+      for (const Index v : mesh.tets[t]) vertex_near[v] = 1;
     }
-    for (const Index v : next)
-      if (layer_of[v] == 0xff) layer_of[v] = static_cast<std::uint8_t>(layer + 1);
   }
-  std::vector<Index> tets;
-  for (std::size_t t = 0; t < near.size(); ++t)
+  return collect<Index>(near.size(), kScanBlock, [&](std::size_t t, std::vector<Index>& tets) {
     if (near[t]) tets.push_back(static_cast<Index>(t));
-  return tets;
+  });
 }
 
 }  // namespace octet

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "base/blocks.h"
 #include "base/error.h"
 #include "octree/octant_edges.h"
 
@@ -42,9 +43,7 @@ std::vector<OctantEdgeCut> cut_octant_edges(const Model& model, const Octree& tr
                 std::span(edges).subspan(first, std::min(kChunk, edges.size() - first)), chunks[i]);
     });
   }
-  std::vector<OctantEdgeCut> cuts;
-  for (const auto& chunk : chunks) cuts.insert(cuts.end(), chunk.begin(), chunk.end());
-  return cuts;
+  return joined(chunks);
 }
 
 }  // namespace octet

@@ -2,12 +2,18 @@
 // Gathering octant edges once each.
 #include "octree/octant_edges.h"
 
+#include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/parallel_sort.h>
 
 #include <algorithm>
 
+#include "base/blocks.h"
+
 namespace octet {
 namespace {
+
+/// Octants looked at by one task.
+constexpr std::size_t kScanBlock = 8192;
 
 /// From, middle and to of the twelve edges, as places of the octant's 3x3x3 lattice.
 constexpr std::array<std::array<std::uint8_t, 3>, 12> edge_places() {
@@ -31,36 +37,38 @@ std::vector<OctantEdge> boundary_octant_edges(const Octree& tree, const OctreeVe
                                               const OctantTypes& types) {
   static constexpr auto kPlaces = edge_places();
   // Packed as numbers, which sort twice as fast as pairs and in the same order.
-  std::vector<std::uint64_t> along_axes, diagonal;
-  const auto add = [](std::vector<std::uint64_t>& lines, std::uint32_t from, std::uint32_t to) {
+  using Lines = std::vector<std::uint64_t>;
+  const auto add = [](Lines& lines, std::uint32_t from, std::uint32_t to) {
     lines.push_back(std::uint64_t{std::min(from, to)} << 32 | std::max(from, to));
   };
-  for (std::size_t i = 0; i < tree.size(); ++i) {
-    if (types.type[i] != OctantType::kBoundary) continue;
+  Lines along_axes = collect<std::uint64_t>(tree.size(), kScanBlock, [&](std::size_t i, Lines& lines) {
+    if (types.type[i] != OctantType::kBoundary) return;
     const OctantId o(i);
     const OctantLattice lattice = octant_lattice(tree, vertices, o);
     for (const auto& [from, middle, to] : kPlaces) {
       if (lattice[middle] == kNoVertex) {
-        add(along_axes, lattice[from], lattice[to]);
+        add(lines, lattice[from], lattice[to]);
       } else {
-        add(along_axes, lattice[from], lattice[middle]);
-        add(along_axes, lattice[middle], lattice[to]);
+        add(lines, lattice[from], lattice[middle]);
+        add(lines, lattice[middle], lattice[to]);
       }
     }
     for (int face = 0; face < 6; ++face) {
       if (const auto other = tree.across(o, face / 2, face % 2 != 0))
-        add(along_axes, vertices.centre(o), vertices.centre(*other));
+        add(lines, vertices.centre(o), vertices.centre(*other));
     }
-    for (const std::uint32_t corner : vertices.corners[i]) add(diagonal, corner, vertices.centre(o));
-  }
+  });
+  const Lines diagonal = collect<std::uint64_t>(tree.size(), kScanBlock, [&](std::size_t i, Lines& lines) {
+    if (types.type[i] != OctantType::kBoundary) return;
+    for (const std::uint32_t corner : vertices.corners[i]) add(lines, corner, vertices.centre(OctantId(i)));
+  });
   tbb::parallel_sort(along_axes.begin(), along_axes.end());
   along_axes.erase(std::unique(along_axes.begin(), along_axes.end()), along_axes.end());
-  std::vector<OctantEdge> edges;
-  edges.reserve(along_axes.size() + diagonal.size());
-  for (const auto* lines : {&along_axes, &diagonal}) {
-    for (const std::uint64_t line : *lines)
-      edges.push_back({static_cast<std::uint32_t>(line >> 32), static_cast<std::uint32_t>(line)});
-  }
+  std::vector<OctantEdge> edges(along_axes.size() + diagonal.size());
+  tbb::parallel_for(std::size_t{0}, edges.size(), [&](std::size_t i) {
+    const std::uint64_t line = i < along_axes.size() ? along_axes[i] : diagonal[i - along_axes.size()];
+    edges[i] = {static_cast<std::uint32_t>(line >> 32), static_cast<std::uint32_t>(line)};
+  });
   return edges;
 }
 

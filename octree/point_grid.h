@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "base/vec.h"
@@ -24,10 +24,13 @@ class PointGrid {
     int level = level_of(2.0 * spacing);
     Index c = cell(at, level);
     used_ |= std::uint64_t{1} << level;
-    cells_[key(level, c)].push_back({point, at});
+    entries_.push_back({at, point, kNoEntry});
+    Cell& holder = *cells_.insert(key(level, c)).first;
+    entries_.back().next = holder.first;
+    holder.first = static_cast<std::uint32_t>(entries_.size() - 1);
     while (level-- > 0) {
       c = {c.x >> 1, c.y >> 1, c.z >> 1};
-      if (!cells_.try_emplace(key(level, c)).second) break;  // its parents are there
+      if (!cells_.insert(key(level, c)).second) break;  // its parents are there
     }
   }
 
@@ -50,10 +53,17 @@ class PointGrid {
 
  private:
   static constexpr int kLevels = 19;
+  static constexpr std::uint32_t kNoEntry = UINT32_MAX;
   struct Entry {
-    std::uint32_t point;
     Vec3 at;
+    std::uint32_t point;
+    std::uint32_t next;  ///< of the same cell
   };
+  struct Cell {
+    std::uint64_t key = kNoCell;
+    std::uint32_t first = kNoEntry;
+  };
+  static constexpr std::uint64_t kNoCell = UINT64_MAX;  // no cell's key: levels are fewer than 31
   struct Index {
     std::int64_t x, y, z;
   };
@@ -68,9 +78,10 @@ class PointGrid {
   /// The points of one cell and, when `descend`, of all cells in it.
   template <class Visit>
   bool visit_cell(const Query<Visit>& query, int level, const Index& c, bool descend) const {
-    const auto found = cells_.find(key(level, c));
-    if (found == cells_.end()) return false;
-    for (const Entry& e : found->second) {
+    const Cell* found = cells_.find(key(level, c));
+    if (found == nullptr) return false;
+    for (std::uint32_t n = found->first; n != kNoEntry; n = entries_[n].next) {
+      const Entry& e = entries_[n];
       const double d = (e.at - query.at).squaredNorm();
       if (d < query.squared && query.visit(e.point, d)) return true;
     }
@@ -103,19 +114,56 @@ class PointGrid {
     return (static_cast<std::uint64_t>(level) << 59) ^ (part(c.x) << 40) ^ (part(c.y) << 20) ^ part(c.z);
   }
 
-  /// Neighbouring cells have neighbouring keys: they are spread over the buckets.
-  struct Mix {
-    std::size_t operator()(std::uint64_t x) const {
+  /// Cells by their keys, with open addresses: a look-up costs one miss of the cache where a list for each
+  /// bucket costs three.
+  class Cells {
+   public:
+    /// The cell and whether it is new.
+    std::pair<Cell*, bool> insert(std::uint64_t key) {
+      if (2 * (count_ + 1) > cells_.size()) grow();
+      Cell& cell = cells_[place_of(key)];
+      if (cell.key == key) return {&cell, false};
+      cell.key = key;
+      ++count_;
+      return {&cell, true};
+    }
+    /// Null where it is not there.
+    [[nodiscard]] const Cell* find(std::uint64_t key) const {
+      if (cells_.empty()) return nullptr;
+      const Cell& cell = cells_[place_of(key)];
+      return cell.key == key ? &cell : nullptr;
+    }
+
+   private:
+    /// Where the key is, or would be.
+    [[nodiscard]] std::size_t place_of(std::uint64_t key) const {
+      const std::size_t mask = cells_.size() - 1;
+      std::size_t place = mixed(key) & mask;
+      while (cells_[place].key != key && cells_[place].key != kNoCell) place = (place + 1) & mask;
+      return place;
+    }
+    void grow() {
+      std::vector<Cell> old(std::max<std::size_t>(64, 2 * cells_.size()));
+      old.swap(cells_);
+      for (const Cell& cell : old)
+        if (cell.key != kNoCell) cells_[place_of(cell.key)] = cell;
+    }
+    /// Neighbouring cells have neighbouring keys: they are spread over the places.
+    static std::size_t mixed(std::uint64_t x) {
       x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
       x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
       return x ^ (x >> 31);
     }
+
+    std::vector<Cell> cells_;  ///< a power of two of them, half of them free at least
+    std::size_t count_ = 0;
   };
 
   Vec3 origin_;
   double unit_;
   std::uint64_t used_ = 0;
-  std::unordered_map<std::uint64_t, std::vector<Entry>, Mix> cells_;
+  Cells cells_;
+  std::vector<Entry> entries_;
 };
 
 }  // namespace octet

@@ -164,12 +164,15 @@ void seed_octree_vertices(SeedState& state, const OctreeVertices& vertices, cons
   });
   seeds.surface_points = seeds.points.size();
   seeds.octree_point.assign(vertices.size(), UINT32_MAX);
-  for (std::uint32_t v = 0; v < vertices.size(); ++v) {
-    if (kept[v] == 0) continue;
-    seeds.octree_point[v] = static_cast<std::uint32_t>(seeds.points.add(state.tree.position(vertices.at[v]),
-                                                                        model_region(labels.vertex_region[v]),
-                                                                        vertices.rank(v), spacing_at(v)));
-  }
+  std::uint32_t count = static_cast<std::uint32_t>(seeds.surface_points);
+  for (std::uint32_t v = 0; v < vertices.size(); ++v)
+    if (kept[v] != 0) seeds.octree_point[v] = count++;
+  seeds.points.resize(count);
+  tbb::parallel_for(std::uint32_t{0}, static_cast<std::uint32_t>(vertices.size()), [&](std::uint32_t v) {
+    if (kept[v] == 0) return;
+    seeds.points.set(seeds.octree_point[v], state.tree.position(vertices.at[v]),
+                     model_region(labels.vertex_region[v]), vertices.rank(v), spacing_at(v));
+  });
 }
 
 }  // namespace octet

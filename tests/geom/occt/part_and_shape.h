@@ -18,7 +18,7 @@ struct PartAndShape {
 inline PartAndShape read_with_shape(const std::filesystem::path& path) {
   const OcctLock lock;
   const Silence silence;
-  AssembledPart part = assemble(read_document(path, file_kind(path)), {}, [](const std::string&) {});
+  AssembledPart part = assemble(read_document(path, file_kind(path)), {}, {}, [](const std::string&) {});
   return {Model(std::move(part.parts)), std::move(part.numbering)};
 }
 

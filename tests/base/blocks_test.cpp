@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Loops in parallel blocks give what plain loops give.
+#include "base/blocks.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <vector>
+
+#include "base/bucket_sort.h"
+
+namespace octet {
+namespace {
+
+TEST(Blocks, CollectKeepsTheOrderWhateverTheBlock) {
+  std::vector<std::size_t> expected;
+  const auto visit = [](std::size_t i, std::vector<std::size_t>& items) {
+    for (std::size_t k = 0; k < i % 3; ++k) items.push_back(10 * i + k);
+  };
+  for (std::size_t i = 0; i < 1000; ++i) visit(i, expected);
+  for (const std::size_t block : {1, 7, 1000, 5000})
+    EXPECT_EQ(collect<std::size_t>(1000, block, visit), expected) << block;
+  EXPECT_TRUE(collect<std::size_t>(0, 16, visit).empty());
+}
+
+TEST(Blocks, JoinedListsFollowEachOther) {
+  EXPECT_EQ(joined<int>({{1, 2}, {}, {3}, {4, 5, 6}, {}}), (std::vector{1, 2, 3, 4, 5, 6}));
+  EXPECT_TRUE(joined<int>({}).empty());
+}
+
+/// More buckets than one task has, some of them empty, the first and the last among them.
+TEST(BucketSort, SortsByBucketThenByLess) {
+  constexpr std::uint32_t kBuckets = 20'000;
+  std::vector<std::uint64_t> items(50'000);
+  std::uint64_t x = 1;
+  for (std::uint64_t& item : items) {
+    x = x * 6364136223846793005u + 1442695040888963407u;
+    item = (1 + (x >> 33) % (kBuckets - 2)) << 20 | (x >> 13 & 0xfffff);
+  }
+  std::vector<std::uint64_t> expected = items;
+  std::sort(expected.begin(), expected.end());
+  bucket_sort(
+      items, kBuckets, [](std::uint64_t item) { return item >> 20; },
+      [](std::uint64_t a, std::uint64_t b) { return a < b; });
+  EXPECT_EQ(items, expected);
+}
+
+}  // namespace
+}  // namespace octet
