@@ -24,9 +24,12 @@ constexpr std::size_t kFacetsAQuestion = 1024;
 /// Tetrahedra in the cube of their mean edge length, as the octree makes them (12 in an octant).
 constexpr double kTetsPerCube = 9.4;
 
-/// What a ray among countless facets takes (4 us), in the time of an element's whole way through the run.
-/// Slivers of facets are halved along their length until they are as short as their wish, and by their area
-/// alone a search of minutes would be within the budget.
+/// Facets that a ray is held against one by one; among more each ray finds its own.
+constexpr std::size_t kMany = 256;
+
+/// What a ray takes (4 us) among countless facets, or held against kMany, in the time of an element's whole
+/// way through the run. Slivers of facets are halved along their length until they are as short as their
+/// wish, and by their area alone a search of minutes would be within the budget.
 constexpr double kElementsPerRay = 0.2;
 
 /// How many octants of the length wished for fit across. Layers of octree vertices and of centres are half an
@@ -123,7 +126,6 @@ class WallSizer {
   /// Gathers the facets that rays from the triangle may meet, unless they are many: where sheets lie on one
   /// another each ray finds its own. Whether one of them may be a sheet.
   bool look_ahead(const std::array<Vec3, 3>& corners, const Probe& probe) {
-    constexpr std::size_t kMany = 256;
     ahead_.clear();
     bool any = false;
     std::size_t seen = 0;
@@ -162,6 +164,7 @@ class WallSizer {
     const double reach = reach_of(probe);
     double nearest = kNoSize;
     bool is_sheet = false;
+    met_ = 0;
     if (crowded_) {
       std::uint32_t facet = 0;
       for (double length = reach / 64.0; !(nearest <= length) && length <= reach; length *= 8.0)
@@ -182,6 +185,7 @@ class WallSizer {
                                    std::uint32_t& facet) const {
     double nearest = kNoSize;
     model_.bvh().visit_segment(p, p + way, [&](std::uint32_t t) {
+      ++met_;
       const double s = ends(t, probe) ? along(p, probe.direction, t) : kNoSize;
       if (s > nearest || (s == nearest && t > facet)) return;
       nearest = s;
@@ -221,7 +225,8 @@ class WallSizer {
     const Vec3 middle = (a + b + c) / 3.0;
     const double across = octants_across(side.n);
     const double depth = thickness(middle, side, first);
-    if (crowded_) elements_ += kElementsPerRay;
+    elements_ += kElementsPerRay * (crowded_ ? 1.0 : 0.0) +
+                 kElementsPerRay / kMany * static_cast<double>(crowded_ ? met_ : ahead_.size() - first);
     const double wish = wishes_.floored(depth / (side.n > 1.0 ? across : side.n));
     const std::array<double, 3> length{(c - b).norm(), (a - c).norm(), (b - a).norm()};
     const auto longest =
@@ -255,8 +260,9 @@ class WallSizer {
   WallOptions options_;
   Wishes wishes_;
   std::vector<std::vector<int>> neighbours_;  ///< per face: those that share an edge with it, ascending
-  std::vector<Ahead> ahead_;  ///< what the running probe may meet, then the same for each halving
-  bool crowded_ = false;      ///< they are too many for that
+  std::vector<Ahead> ahead_;     ///< what the running probe may meet, then the same for each halving
+  bool crowded_ = false;         ///< they are too many for that
+  mutable std::size_t met_ = 0;  ///< facets that the last ray met among them
   double elements_ = 0.0;
 };
 
