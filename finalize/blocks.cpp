@@ -145,9 +145,9 @@ void Blocks::assign_triangles_and_edges() {
   assign(mesh_.edges, edges_, seam_edges_);
 }
 
-std::vector<Index> Blocks::vertices_of(std::size_t block, Block& counts) const {
+void Blocks::find_vertices(std::size_t block, Block& result) const {
   std::vector<char> used(mesh_.points.size(), 0);
-  std::vector<Index> all;
+  std::vector<Index>& all = result.vertices;
   for (const Index t : tets_[block]) {
     for (const Index v : mesh_.tets[t]) {
       if (used[v]) continue;
@@ -158,11 +158,10 @@ std::vector<Index> Blocks::vertices_of(std::size_t block, Block& counts) const {
   std::sort(all.begin(), all.end());
   const auto first_free =
       std::stable_partition(all.begin(), all.end(), [&](Index v) { return v < fixed_ || is_shared(v); });
-  counts.fixed = static_cast<std::size_t>(first_free - all.begin());
+  result.fixed = static_cast<std::size_t>(first_free - all.begin());
   const auto first_loose =
       std::stable_partition(first_free, all.end(), [&](Index v) { return !held_.empty() && held_[v] != 0; });
-  counts.held = static_cast<std::size_t>(first_loose - first_free);
-  return all;
+  result.held = static_cast<std::size_t>(first_loose - first_free);
 }
 
 void Blocks::add_triangles_and_edges(std::size_t block, const std::vector<Index>& number, Mesh& mesh) const {
@@ -197,9 +196,9 @@ void Blocks::add_triangles_and_edges(std::size_t block, const std::vector<Index>
 
 Block Blocks::cut_out(std::size_t block) const {
   Block result;
-  const std::vector<Index> vertices = vertices_of(block, result);
+  find_vertices(block, result);
   std::vector<Index> number(mesh_.points.size(), kNone);
-  for (const Index v : vertices) {
+  for (const Index v : result.vertices) {
     number[v] = static_cast<Index>(result.mesh.points.size());
     result.mesh.points.push_back(mesh_.points[v]);
     result.mesh.point_on.push_back(mesh_.point_on[v]);
@@ -212,80 +211,106 @@ Block Blocks::cut_out(std::size_t block) const {
   return result;
 }
 
-Blocks::Whole Blocks::put_together(const std::vector<Block>& blocks) const {
-  Whole whole;
+void Blocks::keep_others(Whole& whole) const {
   Mesh& mesh = whole.mesh;
   std::vector<Index>& number = whole.number;
   number.assign(mesh_.points.size(), kGone);
-  const auto keep = [&](Index v) {
+  for (Index v = 0; v < mesh_.points.size(); ++v) {
+    if (v >= fixed_ && block_of_[v] < kBeyond) continue;
     number[v] = static_cast<Index>(mesh.points.size());
     mesh.points.push_back(mesh_.points[v]);
     mesh.point_on.push_back(mesh_.point_on[v]);
     if (!held_.empty() && held_[v]) whole.held.push_back(number[v]);
+  }
+  const auto keep = [&](const auto& elements, const auto& on, auto& to, auto& to_on, const auto& is_kept) {
+    const auto kept =
+        collect<Index>(elements.size(), kScanBlock, [&](std::size_t i, std::vector<Index>& found) {
+          if (is_kept(i)) found.push_back(static_cast<Index>(i));
+        });
+    to.resize(kept.size());
+    to_on.resize(kept.size());
+    tbb::parallel_for(std::size_t{0}, kept.size(), [&](std::size_t n) {
+      to[n] = renumbered(elements[kept[n]], number);
+      to_on[n] = on[kept[n]];
+    });
   };
-  for (Index v = 0; v < mesh_.points.size(); ++v)
-    if (v < fixed_ || block_of_[v] >= kBeyond) keep(v);
-  const auto keep_element = [&](const auto& element, std::int32_t on, auto& to, auto& to_on) {
-    to.push_back(renumbered(element, number));
-    to_on.push_back(on);
-  };
-  for (std::size_t t = 0; t < mesh_.tets.size(); ++t)
-    if (block_of_tet_[t] == kBeyond) keep_element(mesh_.tets[t], mesh_.tet_in[t], mesh.tets, mesh.tet_in);
-  const auto is_kept = [&](const auto& element) {
+  const auto is_of_no_block = [&](const auto& element) {
     return std::all_of(element.begin(), element.end(), [&](Index v) { return is_shared(v); }) ||
            std::any_of(element.begin(), element.end(), [&](Index v) { return block_of_[v] == kBeyond; });
   };
-  for (std::size_t i = 0; i < mesh_.triangles.size(); ++i)
-    if (is_kept(mesh_.triangles[i]))
-      keep_element(mesh_.triangles[i], mesh_.triangle_on[i], mesh.triangles, mesh.triangle_on);
-  for (std::size_t i = 0; i < mesh_.edges.size(); ++i)
-    if (is_kept(mesh_.edges[i])) keep_element(mesh_.edges[i], mesh_.edge_on[i], mesh.edges, mesh.edge_on);
+  keep(mesh_.tets, mesh_.tet_in, mesh.tets, mesh.tet_in,
+       [&](std::size_t t) { return block_of_tet_[t] == kBeyond; });
+  keep(mesh_.triangles, mesh_.triangle_on, mesh.triangles, mesh.triangle_on,
+       [&](std::size_t i) { return is_of_no_block(mesh_.triangles[i]); });
+  keep(mesh_.edges, mesh_.edge_on, mesh.edges, mesh.edge_on,
+       [&](std::size_t i) { return is_of_no_block(mesh_.edges[i]); });
+}
 
-  for (std::size_t b = 0; b < blocks.size(); ++b) {
+Blocks::Whole Blocks::put_together(const std::vector<Block>& blocks) const {
+  Whole whole;
+  keep_others(whole);
+  Mesh& mesh = whole.mesh;
+  std::vector<std::size_t> first_point{mesh.points.size()}, first_tet{mesh.tets.size()};
+  for (const Block& block : blocks) {
+    first_point.push_back(first_point.back() + block.mesh.points.size() - block.fixed);
+    first_tet.push_back(first_tet.back() + block.mesh.tets.size());
+    for (std::size_t v = 0; v < block.held; ++v)
+      whole.held.push_back(static_cast<Index>(first_point[first_point.size() - 2] + v));
+  }
+  mesh.points.resize(first_point.back());
+  mesh.point_on.resize(first_point.back());
+  mesh.tets.resize(first_tet.back());
+  mesh.tet_in.resize(first_tet.back());
+  struct Elements {
+    std::vector<std::array<Index, 3>> triangles;
+    std::vector<std::array<Index, 2>> edges;
+    std::vector<std::int32_t> triangle_on, edge_on;
+  };
+  std::vector<Elements> of_blocks(blocks.size());
+  tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t b) {
     const Block& block = blocks[b];
-    Block counts;
-    const std::vector<Index> vertices = vertices_of(b, counts);
     std::vector<Index> in_whole(block.mesh.points.size());
-    for (Index v = 0; v < in_whole.size(); ++v) {
-      if (v < block.fixed) {
-        in_whole[v] = number[vertices[v]];
-        continue;
-      }
-      in_whole[v] = static_cast<Index>(mesh.points.size());
-      if (v < block.fixed + block.held) whole.held.push_back(in_whole[v]);
-      mesh.points.push_back(block.mesh.points[v]);
-      mesh.point_on.push_back(block.mesh.point_on[v]);
+    for (std::size_t v = 0; v < block.fixed; ++v) in_whole[v] = whole.number[block.vertices[v]];
+    for (std::size_t v = block.fixed; v < in_whole.size(); ++v) {
+      const std::size_t n = first_point[b] + v - block.fixed;
+      in_whole[v] = static_cast<Index>(n);
+      mesh.points[n] = block.mesh.points[v];
+      mesh.point_on[n] = block.mesh.point_on[v];
     }
-    const auto append = [&](const auto& elements, const auto& on, auto& to, auto& to_on, const auto& seam) {
+    for (std::size_t t = 0; t < block.mesh.tets.size(); ++t) {
+      mesh.tets[first_tet[b] + t] = renumbered(block.mesh.tets[t], in_whole);
+      mesh.tet_in[first_tet[b] + t] = block.mesh.tet_in[t];
+    }
+    const auto add = [&](const auto& elements, const auto& on, auto& to, auto& to_on, const auto& seam) {
       for (std::size_t i = 0; i < elements.size(); ++i) {
-        // What was on the seam before is there already.
         auto given = elements[i];
-        bool fixed = std::all_of(given.begin(), given.end(), [&](Index v) { return v < block.fixed; });
-        if (fixed) {
-          for (Index& v : given) v = vertices[v];
-          fixed = find_key(seam, sorted(given)) < seam.size();
+        bool on_seam = std::all_of(given.begin(), given.end(), [&](Index v) { return v < block.fixed; });
+        if (on_seam) {
+          for (Index& v : given) v = block.vertices[v];
+          on_seam = find_key(seam, sorted(given)) < seam.size();
         }
-        if (fixed) continue;
+        if (on_seam) continue;  // it is there already
         to.push_back(renumbered(elements[i], in_whole));
         to_on.push_back(on[i]);
       }
     };
-    append(block.mesh.triangles, block.mesh.triangle_on, mesh.triangles, mesh.triangle_on, seam_triangles_);
-    append(block.mesh.edges, block.mesh.edge_on, mesh.edges, mesh.edge_on, seam_edges_);
-    for (std::size_t t = 0; t < block.mesh.tets.size(); ++t) {
-      mesh.tets.push_back(renumbered(block.mesh.tets[t], in_whole));
-      mesh.tet_in.push_back(block.mesh.tet_in[t]);
-    }
+    Elements& own = of_blocks[b];
+    add(block.mesh.triangles, block.mesh.triangle_on, own.triangles, own.triangle_on, seam_triangles_);
+    add(block.mesh.edges, block.mesh.edge_on, own.edges, own.edge_on, seam_edges_);
+  });
+  const auto append = [](const auto& from, auto& to) { to.insert(to.end(), from.begin(), from.end()); };
+  for (const Elements& own : of_blocks) {
+    append(own.triangles, mesh.triangles);
+    append(own.triangle_on, mesh.triangle_on);
+    append(own.edges, mesh.edges);
+    append(own.edge_on, mesh.edge_on);
   }
   return whole;
 }
 
-void Blocks::move_to(const std::vector<Block>& blocks, std::vector<Vec3>& points) const {
-  for (std::size_t b = 0; b < blocks.size(); ++b) {
-    Block counts;
-    const std::vector<Index> vertices = vertices_of(b, counts);
-    for (std::size_t v = 0; v < vertices.size(); ++v) points[vertices[v]] = blocks[b].mesh.points[v];
-  }
+void Blocks::move_to(const std::vector<Block>& blocks, std::vector<Vec3>& points) {
+  for (const Block& block : blocks)
+    for (std::size_t v = 0; v < block.vertices.size(); ++v) points[block.vertices[v]] = block.mesh.points[v];
 }
 
 std::vector<Mesh::Index> tets_near(const Mesh& mesh, const std::vector<Mesh::Index>& vertices, int layers) {

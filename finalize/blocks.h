@@ -17,6 +17,7 @@ namespace octet {
 struct Block {
   Mesh mesh;
   std::size_t fixed = 0, held = 0;
+  std::vector<Mesh::Index> vertices;  ///< as it was cut out: their numbers in the whole mesh
 };
 
 /// Blocks of a mesh, which must outlive them unchanged. Vertices that others hold on to are fixed in a block:
@@ -49,7 +50,7 @@ class Blocks {
   /// The mesh with each block as it is now. The first `fixed` vertices keep their numbers.
   [[nodiscard]] Whole put_together(const std::vector<Block>& blocks) const;
   /// Moves the mesh's vertices to where they are in the blocks, which have changed in nothing else.
-  void move_to(const std::vector<Block>& blocks, std::vector<Vec3>& points) const;
+  static void move_to(const std::vector<Block>& blocks, std::vector<Vec3>& points);
 
  private:
   using Triple = std::array<Index, 3>;
@@ -57,7 +58,9 @@ class Blocks {
 
   void find_shared();
   void assign_triangles_and_edges();
-  [[nodiscard]] std::vector<Index> vertices_of(std::size_t block, Block& counts) const;
+  void find_vertices(std::size_t block, Block& result) const;
+  /// Puts what no block has, and what is on seams, into the whole.
+  void keep_others(Whole& whole) const;
   void add_triangles_and_edges(std::size_t block, const std::vector<Index>& number, Mesh& mesh) const;
   [[nodiscard]] bool is_shared(Index v) const { return block_of_[v] == kShared; }
 

@@ -157,7 +157,7 @@ class Passage {
     Vertices seam = blocks.seam();
     rims_.insert(rims_.end(), blocks.rim().begin(), blocks.rim().end());
     if (options_.scope == FinalizeScope::kSmoothing) {
-      blocks.move_to(done, mesh_.points);
+      Blocks::move_to(done, mesh_.points);
     } else {
       Blocks::Whole whole = blocks.put_together(done);
       renumber(seam, whole.number);
