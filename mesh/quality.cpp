@@ -3,7 +3,9 @@
 #include "mesh/quality.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <vector>
@@ -55,12 +57,27 @@ DihedralRange dihedral_range(const Vec3& a, const Vec3& b, const Vec3& c, const 
   return {angle_of(range.smallest), angle_of(range.largest)};
 }
 
+namespace {
+
+/// Of a positive number: the library's costs a third of the summary of a large mesh. A guess within 4 per cent
+/// from a third of the exponent, and three steps of Halley's, which take its error to the third power each.
+double cube_root(double x) {
+  double y = std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) / 3 + 0x2a9f'7893'7800'0000u);
+  for (int step = 0; step < 3; ++step) {
+    const double cube = y * y * y;
+    y *= (cube + 2.0 * x) / (2.0 * cube + x);
+  }
+  return y;
+}
+
+}  // namespace
+
 double mean_ratio(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const double squares = (b - a).squaredNorm() + (c - a).squaredNorm() + (d - a).squaredNorm() +
                          (c - b).squaredNorm() + (d - b).squaredNorm() + (d - c).squaredNorm();
   const double volume = signed_volume(a, b, c, d);
   if (!(squares > 0.0) || !(volume > 0.0)) return 0.0;
-  const double root = std::cbrt(3.0 * volume);
+  const double root = cube_root(3.0 * volume);
   return 12.0 * root * root / squares;
 }
 

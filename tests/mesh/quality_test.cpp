@@ -26,6 +26,9 @@ TEST(Quality, TheRegularTetrahedronHasRatioOneInEveryMeasure) {
 TEST(Quality, TheCornerOfACubeHasItsClosedForms) {
   const Corners c = cube_corner();
   EXPECT_NEAR(mean_ratio(c[0], c[1], c[2], c[3]), 12.0 * std::cbrt(0.25) / 9.0, 1e-14);
+  for (const double scale : {1e-60, 3e-9, 7.0, 2e11, 1e60})
+    EXPECT_NEAR(mean_ratio(scale * c[0], scale * c[1], scale * c[2], scale * c[3]),
+                12.0 * std::cbrt(0.25) / 9.0, 1e-14);
   // r = 1 / (3 + sqrt 3), R = sqrt(3) / 2.
   EXPECT_NEAR(radius_ratio(c[0], c[1], c[2], c[3]), 6.0 / ((3.0 + std::sqrt(3.0)) * std::sqrt(3.0)), 1e-14);
   EXPECT_NEAR(aspect(c[0], c[1], c[2], c[3]), std::sqrt(1.5) / std::sqrt(3.0) / std::sqrt(2.0), 1e-14);
