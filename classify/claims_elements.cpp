@@ -6,11 +6,15 @@
 #include <numeric>
 #include <utility>
 
+#include "base/blocks.h"
 #include "base/predicates.h"
 #include "classify/claims.h"
 
 namespace octet {
 namespace {
+
+/// Elements looked at by one task.
+constexpr std::size_t kScanBlock = 16384;
 
 template <std::size_t N>
 void check_numbers(ClaimBuilder& claim, const Mesh& mesh, const char* kind, int dim, int tags,
@@ -20,13 +24,19 @@ void check_numbers(ClaimBuilder& claim, const Mesh& mesh, const char* kind, int 
     claim.fault(1.0, {dim, 0}, Vec3::Zero(), fmt::format("the {} arrays differ in size", kind), kBadMesh);
     return;
   }
-  for (std::size_t i = 0; i < elements.size(); ++i) {
+  const auto is_in_range = [&](const auto& v) {
+    return std::all_of(v.begin(), v.end(), [&](auto k) { return k < mesh.points.size(); });
+  };
+  const auto bad =
+      collect<std::size_t>(elements.size(), kScanBlock, [&](std::size_t i, std::vector<std::size_t>& found) {
+        auto sorted = elements[i];
+        std::sort(sorted.begin(), sorted.end());
+        const bool distinct = std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
+        if (!is_in_range(elements[i]) || !distinct || on[i] < 1 || on[i] > tags) found.push_back(i);
+      });
+  for (const std::size_t i : bad) {
     const auto& v = elements[i];
-    const bool in_range = std::all_of(v.begin(), v.end(), [&](auto k) { return k < mesh.points.size(); });
-    auto sorted = v;
-    std::sort(sorted.begin(), sorted.end());
-    const bool distinct = std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
-    if (in_range && distinct && on[i] >= 1 && on[i] <= tags) continue;
+    const bool in_range = is_in_range(v);
     claim.fault(1.0, {dim, on[i]}, in_range ? mesh.points[v[0]] : Vec3::Zero(),
                 fmt::format("{} {} on entity {} has vertices {}", kind, i, on[i], fmt::join(v, " ")),
                 kBadMesh);
