@@ -22,6 +22,7 @@ constexpr int kPasses = 8;
 constexpr int kSweeps = 1, kLastSweeps = 2;
 /// Nothing is made worse than this for the mean (radians, 35 degrees): the tail of the shapes.
 constexpr double kPolishAngle = 0.611;
+
 /// While the worst elements are worked on, and nothing that failed before is taken as failed.
 class Chase {
  public:

@@ -11,7 +11,9 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <memory>
+#include <numbers>
 #include <numeric>
 #include <thread>
 #include <tuple>
@@ -193,7 +195,10 @@ class Passage {
  private:
   void run(const Blocks& blocks, Aim aim, std::vector<Task>& tasks) {
     for_each_block(tasks.size(), [&](std::size_t b) { tasks[b].begin(blocks, b, model_, options_); });
-    for (const Task& task : tasks) most_sag_ = std::max(most_sag_, task.shop->guard.most_sag());
+    for (const Task& task : tasks) {
+      most_sag_ = std::max(most_sag_, task.shop->guard.most_sag());
+      task.shop->started = started_;
+    }
     Watch watch(observer_);
     for_each_block(tasks.size(), [&](std::size_t b) {
       Task& task = tasks[b];
@@ -218,6 +223,7 @@ class Passage {
   MeasureAccount account_;
   FinalizeReport report_;
   double most_sag_ = 0.0;  ///< of the blocks at first
+  std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
   Vertices rims_;
 };
 
