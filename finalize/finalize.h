@@ -31,9 +31,9 @@ struct FinalizeOptions {
   double max_seconds =
       0.0;  ///< 0: the built-in work budget only (deterministic; counts of operations, not time)
   FinalizeScope scope = FinalizeScope::kAll;
-  /// Meshes of more tetrahedra are worked on in blocks of no more, side by side; what lies about their seams,
-  /// once more. Half as many in a block cost a tenth more, for more lies about seams; twice as many make too
-  /// few blocks for many threads. Meshes as deep as they are wide stay whole.
+  /// Meshes of twice as many tetrahedra and more are worked on in blocks of no more than this, side by side;
+  /// what lies about their seams, once more, which costs one thread a tenth of the time (a fifth with half as
+  /// many in a block). Meshes as deep as they are wide stay whole.
   std::size_t block_tets = 150'000;
   /// The first so many vertices stay where they are and keep their numbers: tetrahedra that are not given
   /// here hold on to them, beyond faces that have one tetrahedron and are no triangles.

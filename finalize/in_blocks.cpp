@@ -231,7 +231,7 @@ class Passage {
 
 std::optional<FinalizeReport> finalize_in_blocks(Mesh& mesh, const Model& model,
                                                  const FinalizeOptions& options, Observer& observer) {
-  if (mesh.tets.size() <= options.block_tets) return std::nullopt;
+  if (mesh.tets.size() < 2 * options.block_tets) return std::nullopt;
   Passage passage(mesh, model, options, observer);
   Tets todo(mesh.tets.size());
   std::iota(todo.begin(), todo.end(), 0);
