@@ -61,7 +61,7 @@ void add_tets(const OctreeVertices& vertices, const SharedFace& face, const Numb
 
 /// The faces between template octants whose lower role is this.
 std::vector<SharedFace> shared_faces(const Octree& tree, const BandAndInterior& split, OctantRole wanted) {
-  return collect<SharedFace>(tree.size(), kGrain, [&](std::size_t o, std::vector<SharedFace>& faces) {
+  return collect<SharedFace>(tree.size(), [&](std::size_t o, std::vector<SharedFace>& faces) {
     if (split.role[o] < wanted) return;
     for (std::uint8_t axis = 0; axis < 3; ++axis) {
       const std::optional<OctantId> upper = tree.across(OctantId(o), axis, true);

@@ -32,10 +32,13 @@ template <class Item>
   return all;
 }
 
+/// Items looked at by one task where each costs little.
+inline constexpr std::size_t kScanBlock = 16384;
+
 /// What visit(i, items) appends to its list for each i of [0, n), joined in the order of i. Blocks in
 /// parallel.
 template <class Item, class Visit>
-[[nodiscard]] std::vector<Item> collect(std::size_t n, std::size_t block, const Visit& visit) {
+[[nodiscard]] std::vector<Item> collect(std::size_t n, const Visit& visit, std::size_t block = kScanBlock) {
   return joined(map_blocks<std::vector<Item>>(n, block, [&](std::size_t first, std::size_t last) {
     std::vector<Item> items;
     for (std::size_t i = first; i < last; ++i) visit(i, items);

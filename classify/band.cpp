@@ -20,8 +20,6 @@ constexpr double kNormal = 0.5;
 /// ... and its centroid may be at most this share of its longest edge away from it: the sagitta of an
 /// equilateral triangle whose edges turn by 60 degrees.
 constexpr double kDistance = 0.1;
-/// Tetrahedra looked at by one task.
-constexpr std::size_t kScanBlock = 16384;
 
 /// Region of the octree vertices of a tetrahedron: kUnknown where it has none, or some of different regions.
 /// Octree vertices keep 0.6 of the size from the surface, so what holds one lies where it lies.
@@ -245,17 +243,16 @@ void Band::label_flat(const TetMesh& mesh, const std::vector<TetId>& flat) {
 const std::vector<BoundaryFacet>& Band::facets(const TetMesh& mesh, std::span<const ModelRef> on) {
   if (facets_are_current_) return facets_;
   facets_are_current_ = true;
-  facets_ = collect<BoundaryFacet>(
-      mesh.tets.size(), kScanBlock, [&](std::size_t i, std::vector<BoundaryFacet>& found) {
-        const TetId t(i);
-        if (!mesh.alive(t) || region_[t] == 0) return;
-        for (std::int8_t f = 0; f < 4; ++f) {
-          const TetId n = mesh.neighbours[t][f];
-          if (region_[n] >= region_[t]) continue;
-          const auto& v = mesh.tets[t];
-          found.push_back({t, f, facet_on_[t][f], {v[kTetFace[f][0]], v[kTetFace[f][1]], v[kTetFace[f][2]]}});
-        }
-      });
+  facets_ = collect<BoundaryFacet>(mesh.tets.size(), [&](std::size_t i, std::vector<BoundaryFacet>& found) {
+    const TetId t(i);
+    if (!mesh.alive(t) || region_[t] == 0) return;
+    for (std::int8_t f = 0; f < 4; ++f) {
+      const TetId n = mesh.neighbours[t][f];
+      if (region_[n] >= region_[t]) continue;
+      const auto& v = mesh.tets[t];
+      found.push_back({t, f, facet_on_[t][f], {v[kTetFace[f][0]], v[kTetFace[f][1]], v[kTetFace[f][2]]}});
+    }
+  });
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, facets_.size(), 128), [&](const auto& range) {
     for (std::size_t i = range.begin(); i != range.end(); ++i) {
       BoundaryFacet& facet = facets_[i];

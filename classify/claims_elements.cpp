@@ -13,9 +13,6 @@
 namespace octet {
 namespace {
 
-/// Elements looked at by one task.
-constexpr std::size_t kScanBlock = 16384;
-
 template <std::size_t N>
 void check_numbers(ClaimBuilder& claim, const Mesh& mesh, const char* kind, int dim, int tags,
                    const std::vector<std::array<Mesh::Index, N>>& elements,
@@ -27,13 +24,12 @@ void check_numbers(ClaimBuilder& claim, const Mesh& mesh, const char* kind, int 
   const auto is_in_range = [&](const auto& v) {
     return std::all_of(v.begin(), v.end(), [&](auto k) { return k < mesh.points.size(); });
   };
-  const auto bad =
-      collect<std::size_t>(elements.size(), kScanBlock, [&](std::size_t i, std::vector<std::size_t>& found) {
-        auto sorted = elements[i];
-        std::sort(sorted.begin(), sorted.end());
-        const bool distinct = std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
-        if (!is_in_range(elements[i]) || !distinct || on[i] < 1 || on[i] > tags) found.push_back(i);
-      });
+  const auto bad = collect<std::size_t>(elements.size(), [&](std::size_t i, std::vector<std::size_t>& found) {
+    auto sorted = elements[i];
+    std::sort(sorted.begin(), sorted.end());
+    const bool distinct = std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
+    if (!is_in_range(elements[i]) || !distinct || on[i] < 1 || on[i] > tags) found.push_back(i);
+  });
   for (const std::size_t i : bad) {
     const auto& v = elements[i];
     const bool in_range = is_in_range(v);

@@ -13,9 +13,6 @@
 namespace octet {
 namespace {
 
-/// Tetrahedra looked at by one task.
-constexpr std::size_t kScanBlock = 16384;
-
 class Extractor {
  public:
   Extractor(std::span<const Vec3> points, std::span<const ModelRef> on)
@@ -82,15 +79,14 @@ Mesh extract_mesh(Band& band, const TetMesh& tets, std::span<const Vec3> points,
                   const EdgeChains& chains, const ExtraTets& extra) {
   const Model& model = band.model();
   Extractor out(points, on);
-  const auto kept =
-      collect<TetId>(tets.tets.size(), kScanBlock, [&](std::size_t i, std::vector<TetId>& found) {
-        const TetId t(i);
-        if (!tets.alive(t) || band.region(t) == 0 || tets.ghost(t)) return;
-        const auto& v = tets.tets[t];
-        const Vec3 centroid =
-            0.25 * (tets.points[v[0]] + tets.points[v[1]] + tets.points[v[2]] + tets.points[v[3]]);
-        if (!extra.covers || !extra.covers(centroid)) found.push_back(t);
-      });
+  const auto kept = collect<TetId>(tets.tets.size(), [&](std::size_t i, std::vector<TetId>& found) {
+    const TetId t(i);
+    if (!tets.alive(t) || band.region(t) == 0 || tets.ghost(t)) return;
+    const auto& v = tets.tets[t];
+    const Vec3 centroid =
+        0.25 * (tets.points[v[0]] + tets.points[v[1]] + tets.points[v[2]] + tets.points[v[3]]);
+    if (!extra.covers || !extra.covers(centroid)) found.push_back(t);
+  });
   for (const TetId t : kept)
     for (const VertexId p : tets.tets[t]) out.use(p.index());
   for (const auto& t : extra.tets)

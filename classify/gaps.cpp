@@ -26,9 +26,6 @@ struct EdgeUseOfFacet {
 
 bool same_edge(const EdgeUseOfFacet& x, const EdgeUseOfFacet& y) { return x.a == y.a && x.b == y.b; }
 
-/// Items looked at by one task.
-constexpr std::size_t kBlock = 16384;
-
 /// Sorted by a, b, facet.
 std::vector<EdgeUseOfFacet> edge_uses(std::size_t vertices, const std::vector<BoundaryFacet>& facets) {
   std::vector<EdgeUseOfFacet> uses;
@@ -70,8 +67,8 @@ class GapFinder {
   }
 
   void missing_pieces() {
-    const auto found = collect<std::uint32_t>(
-        mesh_.tets.size(), kBlock, [&](std::size_t i, std::vector<std::uint32_t>& pieces) {
+    const auto found =
+        collect<std::uint32_t>(mesh_.tets.size(), [&](std::size_t i, std::vector<std::uint32_t>& pieces) {
           const TetId t(i);
           if (!mesh_.alive(t) || mesh_.ghost(t)) return;
           const auto& v = mesh_.tets[t];
@@ -125,8 +122,7 @@ class GapFinder {
     std::vector<std::uint8_t> seen(chains_.pieces().size(), 0);
     for (const Gap& missing : gaps_)
       if (missing.kind == GapKind::kMissingPiece) seen[missing.piece] = 1;
-    // All that a model edge or a gap may be at: most edges are of two facets on one face, and no more is
-    // asked.
+    // Most edges join two facets on one face and are no pieces: of the others more is asked.
     const auto is_plain = [&](std::size_t i) {
       if (i + 1 == uses.size() || !same_edge(uses[i], uses[i + 1])) return false;
       if (i + 2 < uses.size() && same_edge(uses[i], uses[i + 2])) return false;
@@ -135,7 +131,7 @@ class GapFinder {
              piece_at(VertexId(uses[i].a), VertexId(uses[i].b)) == UINT32_MAX;
     };
     const auto groups =
-        collect<std::size_t>(uses.size(), kBlock, [&](std::size_t i, std::vector<std::size_t>& starts) {
+        collect<std::size_t>(uses.size(), [&](std::size_t i, std::vector<std::size_t>& starts) {
           if ((i == 0 || !same_edge(uses[i - 1], uses[i])) && !is_plain(i)) starts.push_back(i);
         });
     std::vector<int> faces;
@@ -182,8 +178,8 @@ class GapFinder {
         [](const auto& x, const auto& y) { return x.second < y.second; });
     std::vector<std::uint8_t> bare(on_.size(), 1);
     for (const auto& corner : corners) bare[corner.first] = 0;
-    const auto broken =
-        map_blocks<std::vector<BrokenFan>>(corners.size(), kBlock, [&](std::size_t first, std::size_t last) {
+    const auto broken = map_blocks<std::vector<BrokenFan>>(
+        corners.size(), kScanBlock, [&](std::size_t first, std::size_t last) {
           std::vector<BrokenFan> found;
           std::vector<std::uint32_t> around;
           Fan fan;

@@ -45,8 +45,31 @@ std::uint64_t rim_key(VertexId v, int face) {
 
 }  // namespace
 
-double measure_bound(double exact, double error) {
-  return std::max(kMeasureBound * std::abs(exact), kMeasureGrowth * error);
+MeasureGoals goals_of_model(const Model& model, const Measures& now) {
+  const auto bound = [](double exact, double error) {
+    return std::max(kMeasureBound * std::abs(exact), kMeasureGrowth * error);
+  };
+  MeasureGoals goals{std::vector<double>(now.volume.size(), 0.0), std::vector<double>(now.volume.size(), 0.0),
+                     std::vector<double>(now.area.size(), 0.0), 0.0};
+  for (std::size_t r = 1; r < now.volume.size(); ++r) {
+    goals.volume[r] = model.region(static_cast<int>(r)).volume;
+    goals.volume_error[r] = bound(goals.volume[r], std::abs(now.volume[r] - goals.volume[r]));
+  }
+  double all = 0.0, error = 0.0;
+  for (std::size_t f = 1; f < now.area.size(); ++f) {
+    if (now.area[f] == 0.0) continue;  // not in the mesh
+    goals.area[f] = model.face(static_cast<int>(f)).area;
+    all += goals.area[f];
+    error += std::abs(now.area[f] - goals.area[f]);
+  }
+  goals.area_error = bound(all, error);
+  return goals;
+}
+
+void WorstFits::add(const WorstFits& other) {
+  face.resize(std::max(face.size(), other.face.size()));
+  for (std::size_t f = 0; f < other.face.size(); ++f) face[f].add(other.face[f]);
+  sag = std::max(sag, other.sag);
 }
 
 void add_change(std::vector<MeasureChange>& changes, ModelRef of, double change) {
@@ -59,12 +82,12 @@ BoundaryGuard::BoundaryGuard(const Model& model, const WorkMesh& mesh, std::span
     : model_(&model),
       planar_(static_cast<std::size_t>(model.count(2)) + 1, 0),
       plane_normal_(planar_.size(), Vec3::Zero()),
-      at_first_(planar_.size()),
       on_face_(mesh.points.size()),
       on_face_known_(mesh.points.size(), 0),
       parameter_(mesh.points.size(), 0.0),
-      volume_(static_cast<std::size_t>(model.count(3)) + 1, 0.0),
-      area_(planar_.size(), 0.0) {
+      measures_{std::vector<double>(static_cast<std::size_t>(model.count(3)) + 1, 0.0),
+                std::vector<double>(planar_.size(), 0.0)} {
+  at_first_.face.resize(planar_.size());
   for (int face = 1; face <= model.count(2); ++face) {
     const std::size_t i = static_cast<std::size_t>(face);
     planar_[i] = std::string_view(model.surface(face).kind()) == "plane";
@@ -72,6 +95,8 @@ BoundaryGuard::BoundaryGuard(const Model& model, const WorkMesh& mesh, std::span
   }
   measure_volumes(mesh, volume_beyond);
   measure_areas(mesh);
+  goals_ = goals_of_model(model, measures_);
+  area_error_ = sum_area_errors();
   seat_all(mesh);
   measure_faces(mesh);
   measure_pieces(mesh);
@@ -81,16 +106,11 @@ void BoundaryGuard::measure_volumes(const WorkMesh& mesh, std::span<const double
   for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
     const TetId t(i);
     if (!mesh.alive(t)) continue;
-    volume_[static_cast<std::size_t>(mesh.region[t])] +=
+    measures_.volume[static_cast<std::size_t>(mesh.region[t])] +=
         signed_volume(mesh.point(t, 0), mesh.point(t, 1), mesh.point(t, 2), mesh.point(t, 3));
   }
-  goals_.volume.assign(volume_.size(), 0.0);
-  goals_.volume_error.assign(volume_.size(), 0.0);
-  for (std::size_t r = 1; r < volume_.size(); ++r) {
-    if (r < volume_beyond.size()) volume_[r] += volume_beyond[r];
-    goals_.volume[r] = model_->region(static_cast<int>(r)).volume;
-    goals_.volume_error[r] = measure_bound(goals_.volume[r], std::abs(volume_[r] - goals_.volume[r]));
-  }
+  for (std::size_t r = 1; r < std::min(measures_.volume.size(), volume_beyond.size()); ++r)
+    measures_.volume[r] += volume_beyond[r];
 }
 
 void BoundaryGuard::measure_areas(const WorkMesh& mesh) {
@@ -101,28 +121,25 @@ void BoundaryGuard::measure_areas(const WorkMesh& mesh) {
       const std::int32_t tag = mesh.face_on[t][f];
       if (tag == 0 || (tag < 0 && mesh.neighbours[t][f].valid())) continue;
       const auto& v = kTetFace[f];
-      area_[static_cast<std::size_t>(std::abs(tag))] +=
+      measures_.area[static_cast<std::size_t>(std::abs(tag))] +=
           triangle_area(mesh.point(t, v[0]), mesh.point(t, v[1]), mesh.point(t, v[2]));
     }
   }
-  double all = 0.0;
-  goals_.area.assign(area_.size(), 0.0);
-  for (std::size_t face = 1; face < area_.size(); ++face) {
-    if (area_[face] == 0.0) continue;  // not in the mesh
-    goals_.area[face] = model_->face(static_cast<int>(face)).area;
-    all += goals_.area[face];
-    area_error_ += std::abs(area_[face] - goals_.area[face]);
-  }
-  goals_.area_error = measure_bound(all, area_error_);
 }
 
-void BoundaryGuard::aim_at(const MeasureGoals& goals, double most_sag) {
-  OCTET_CHECK(goals.volume.size() == volume_.size() && goals.area.size() == area_.size());
+double BoundaryGuard::sum_area_errors() const {
+  double sum = 0.0;
+  for (std::size_t face = 1; face < measures_.area.size(); ++face)
+    sum += std::abs(measures_.area[face] - goals_.area[face]);
+  return sum;
+}
+
+void BoundaryGuard::aim_at(const MeasureGoals& goals, const WorstFits& at_first) {
+  OCTET_CHECK(goals.volume.size() == measures_.volume.size() && goals.area.size() == measures_.area.size());
+  OCTET_CHECK(at_first.face.size() == at_first_.face.size());
   goals_ = goals;
-  most_sag_ = most_sag;
-  area_error_ = 0.0;
-  for (std::size_t face = 1; face < area_.size(); ++face)
-    area_error_ += std::abs(area_[face] - goals_.area[face]);
+  at_first_ = at_first;
+  area_error_ = sum_area_errors();
 }
 
 template <class Visit>
@@ -143,15 +160,15 @@ void BoundaryGuard::for_each_curved_triangle(const WorkMesh& mesh, const Visit& 
 
 void BoundaryGuard::measure_faces(const WorkMesh& mesh) {
   for_each_curved_triangle(mesh, [&](int face, const std::array<VertexId, 3>& v) {
-    at_first_[static_cast<std::size_t>(face)].add(fit(mesh, face, v));
+    at_first_.face[static_cast<std::size_t>(face)].add(fit(mesh, face, v));
   });
-  for (const Fit& fit : at_first_) most_sag_ = std::max(most_sag_, kFitGrowth * fit.sag);
+  for (const Fit& fit : at_first_.face) at_first_.sag = std::max(at_first_.sag, kFitGrowth * fit.sag);
 }
 
 void BoundaryGuard::measure_pieces(const WorkMesh& mesh) {
   for (const auto& [key, tag] : mesh.pieces) {
     const auto [a, b] = piece_ends(key);
-    most_sag_ = std::max(most_sag_, kFitGrowth * piece_sag(mesh, a, b, tag));
+    at_first_.sag = std::max(at_first_.sag, kFitGrowth * piece_sag(mesh, a, b, tag));
   }
 }
 
@@ -234,8 +251,8 @@ Fit BoundaryGuard::fit(const WorkMesh& mesh, int face, const std::array<VertexId
   }
   Fit result = fit(
       points, {seat(mesh, v[0], face).normal, seat(mesh, v[1], face).normal, seat(mesh, v[2], face).normal});
-  result.turn_at_first = at_first_[static_cast<std::size_t>(face)].turn;
-  result.sag_at_first = at_first_[static_cast<std::size_t>(face)].sag;
+  result.turn_at_first = at_first_.face[static_cast<std::size_t>(face)].turn;
+  result.sag_at_first = at_first_.face[static_cast<std::size_t>(face)].sag;
   return result;
 }
 
@@ -267,12 +284,12 @@ Fit BoundaryGuard::bound(const Fit& before, double size) const {
     return std::max(from, kFitGrowth * std::min(from, at_first));
   };
   return {std::max(grown(before.turn, before.turn_at_first), kTurnBound),
-          std::max(grown(before.sag, before.sag_at_first), std::min(chord, most_sag_))};
+          std::max(grown(before.sag, before.sag_at_first), std::min(chord, at_first_.sag))};
 }
 
 double BoundaryGuard::area_error_by(const MeasureChange& c) const {
   const double off =
-      area_[static_cast<std::size_t>(c.of.tag)] - goals_.area[static_cast<std::size_t>(c.of.tag)];
+      measures_.area[static_cast<std::size_t>(c.of.tag)] - goals_.area[static_cast<std::size_t>(c.of.tag)];
   return std::abs(off + c.change) - std::abs(off);
 }
 
@@ -284,8 +301,8 @@ bool BoundaryGuard::admits(std::span<const MeasureChange> changes) const {
       continue;
     }
     const std::size_t r = static_cast<std::size_t>(c.of.tag);
-    const double error = std::abs(volume_[r] - goals_.volume[r]);
-    const double after = std::abs(volume_[r] + c.change - goals_.volume[r]);
+    const double error = std::abs(measures_.volume[r] - goals_.volume[r]);
+    const double after = std::abs(measures_.volume[r] + c.change - goals_.volume[r]);
     if (after > std::max(error, goals_.volume_error[r])) return false;
   }
   return !areas_guarded_ || off <= std::max(area_error_, goals_.area_error);

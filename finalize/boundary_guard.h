@@ -40,15 +40,26 @@ struct MeasureChange {
   ModelRef of;
   double change = 0.0;
 };
-/// What volumes and areas are to be in the mesh that is guarded, and how far off they may get.
-struct MeasureGoals {
-  std::vector<double> volume, volume_error;  ///< per region tag
-  std::vector<double> area;                  ///< per face tag
-  double area_error = 0.0;                   ///< summed over the faces
+/// Of a mesh: volumes per region tag, areas per face tag.
+struct Measures {
+  std::vector<double> volume, area;
 };
 
-/// How far a measure may get from the exact one that is off by `error` now.
-[[nodiscard]] double measure_bound(double exact, double error);
+/// What they are to be, and how far off they may get.
+struct MeasureGoals {
+  std::vector<double> volume, volume_error;  ///< per region tag
+  std::vector<double> area;                  ///< per face tag; 0 of faces that are not in the mesh
+  double area_error = 0.0;                   ///< summed over the faces
+};
+/// The model's, off by a small share of it at most, or by a tenth more than now.
+[[nodiscard]] MeasureGoals goals_of_model(const Model& model, const Measures& now);
+
+/// The farthest that faces and edges are from a mesh, by estimated sagittae.
+struct WorstFits {
+  std::vector<Fit> face;  ///< per face tag
+  double sag = 0.0;       ///< of all, and a twentieth more
+  void add(const WorstFits& other);
+};
 
 /// Adds to what the list has of that entity.
 void add_change(std::vector<MeasureChange>& changes, ModelRef of, double change);
@@ -64,9 +75,10 @@ class BoundaryGuard {
   /// `volume_beyond`: of what is not in the mesh, per region tag; empty: nothing.
   BoundaryGuard(const Model& model, const WorkMesh& mesh, std::span<const double> volume_beyond = {});
 
-  /// For a mesh that is a part of a whole: volumes and areas to be held to in place of the model's, and the
-  /// whole's most_sag().
-  void aim_at(const MeasureGoals& goals, double most_sag);
+  /// For a mesh that is a part of a whole: volumes and areas to be held to in place of the model's, and how
+  /// far off the whole was at first.
+  void aim_at(const MeasureGoals& goals, const WorstFits& at_first);
+  [[nodiscard]] const WorstFits& at_first() const { return at_first_; }
 
   [[nodiscard]] bool planar(int face) const { return planar_[static_cast<std::size_t>(face)]; }
   /// Seat of a vertex in the closure of the face.
@@ -105,7 +117,7 @@ class BoundaryGuard {
   [[nodiscard]] double piece_sag(const WorkMesh& mesh, VertexId a, VertexId b, std::int32_t tag) const;
   /// The farthest that faces and edges were from the mesh at first, by estimated sagittae, and a twentieth
   /// more.
-  [[nodiscard]] double most_sag() const { return most_sag_; }
+  [[nodiscard]] double most_sag() const { return at_first_.sag; }
 
   /// Whether volumes and areas may change so: each region's volume nearer to the exact one, or within a small
   /// share of it, or a tenth beyond the error that was there at first; the same of the sum of the faces'
@@ -148,8 +160,9 @@ class BoundaryGuard {
   void for_each_curved_triangle(const WorkMesh& mesh, const Visit& visit) const;
   void measure_volumes(const WorkMesh& mesh, std::span<const double> volume_beyond);
   void measure_areas(const WorkMesh& mesh);
+  [[nodiscard]] double sum_area_errors() const;
   [[nodiscard]] double& measure(ModelRef of) {
-    return (of.dim == 3 ? volume_ : area_)[static_cast<std::size_t>(of.tag)];
+    return (of.dim == 3 ? measures_.volume : measures_.area)[static_cast<std::size_t>(of.tag)];
   }
   void measure_faces(const WorkMesh& mesh);
   void measure_pieces(const WorkMesh& mesh);
@@ -160,16 +173,14 @@ class BoundaryGuard {
   const Model* model_;
   std::vector<char> planar_;        ///< per face tag
   std::vector<Vec3> plane_normal_;  ///< per face tag
-  std::vector<Fit> at_first_;       ///< per face tag: the worst of its triangles
-  double most_sag_ = 0.0;
+  WorstFits at_first_;
   std::vector<Seat> on_face_;                       ///< per vertex: of vertices inside a face
   std::vector<char> on_face_known_;                 ///< per vertex
   std::unordered_map<std::uint64_t, Seat> on_rim_;  ///< (vertex, face): of vertices on edges; looked up only
   std::vector<double> parameter_;                   ///< per vertex: of vertices on edges
+  Measures measures_;
   MeasureGoals goals_;
-  std::vector<double> volume_;  ///< per region tag
-  std::vector<double> area_;    ///< per face tag
-  double area_error_ = 0.0;     ///< sum of the faces' errors of area
+  double area_error_ = 0.0;  ///< sum of the faces' errors of area
   bool areas_guarded_ = false;
   Journal journal_;
 };

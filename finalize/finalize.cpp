@@ -2,170 +2,20 @@
 // Mesh finalization: the shapes of a valid classified mesh made good, on the exact geometry.
 #include "finalize/finalize.h"
 
-#include <algorithm>
-#include <numbers>
 #include <optional>
 
 #include "base/check.h"
-#include "base/error.h"
-#include "finalize/improve.h"
 #include "finalize/in_blocks.h"
-#include "finalize/relax.h"
 #include "finalize/schedule.h"
-#include "finalize/shape.h"
 
 namespace octet {
-namespace {
-
-constexpr int kPasses = 8;
-/// Sweeps of smoothing after a round of swaps for the mean, and after the last one.
-constexpr int kSweeps = 1, kLastSweeps = 2;
-/// Nothing is made worse than this for the mean (radians, 35 degrees): the tail of the shapes.
-constexpr double kPolishAngle = 0.611;
-
-/// While the worst elements are worked on, and nothing that failed before is taken as failed.
-class Chase {
- public:
-  explicit Chase(Workshop& shop) : shop_(shop) {
-    forget_failures(shop_);
-    set(true);
-  }
-  Chase(const Chase&) = delete;
-  Chase& operator=(const Chase&) = delete;
-  ~Chase() { set(false); }
-
- private:
-  void set(bool on) {
-    shop_.thorough = on;
-    shop_.guard.guard_areas(on);
-  }
-  Workshop& shop_;
-};
-
-/// Works on what is below the target until nothing gives.
-void chase(Workshop& shop, double target, double polish, Observer& observer) {
-  const Chase worst_first(shop);
-  for (int pass = 0; pass < kPasses; ++pass) {
-    const std::size_t done = improve_worst_first(shop, target, observer);
-    if (pass > 0 && done == 0) break;
-    relax_around(shop, target, polish);
-  }
-}
-
-/// Works on the largest angles, which what came last has left or made.
-void open_obtuse(Workshop& shop, Observer& observer) {
-  constexpr int kObtusePasses = 3;
-  const Chase worst_first(shop);
-  for (int pass = 0; pass < kObtusePasses; ++pass)
-    if (improve_obtuse(shop, kObtuse, observer) == 0) break;
-}
-
-/// Swaps, then moves vertices, for the mean.
-void raise_mean(Workshop& shop, double floor, int sweeps, Observer& observer) {
-  if (observer.cancelled()) throw Cancelled();
-  swap_for_mean(shop, floor);
-  relax_for_mean(shop, floor, sweeps);
-  forget_failures(shop);
-}
-
-Extremes extremes(const WorkMesh& mesh, double target) {
-  Extremes result;
-  for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
-    const TetId t(i);
-    if (mesh.alive(t))
-      result.add(mesh.quality[t], {mesh.point(t, 0), mesh.point(t, 1), mesh.point(t, 2), mesh.point(t, 3)},
-                 target);
-  }
-  return result;
-}
-
-/// All that the scope asks for.
-void improve_all(Workshop& shop, double target, double polish, double chased, Observer& observer) {
-  if (shop.options.scope != FinalizeScope::kSmoothing) collapse_short_edges(shop);
-  switch (shop.options.scope) {
-    case FinalizeScope::kSmoothing:
-    case FinalizeScope::kNicks:
-      for (int pass = 0; pass < kPasses; ++pass) {
-        relax_for_mean(shop, polish, kLastSweeps);
-        relax_around(shop, chased, polish);
-      }
-      break;
-    case FinalizeScope::kFast:
-      raise_mean(shop, polish, kSweeps, observer);
-      chase(shop, target, polish, observer);
-      break;
-    case FinalizeScope::kAll:
-      raise_mean(shop, polish, kSweeps, observer);
-      collapse_for_mean(shop, polish);
-      raise_mean(shop, polish, kSweeps, observer);
-      chase(shop, chased, polish, observer);
-      split_long_edges(shop, chased);
-      if (shop.options.coarse_size_at) {
-        shop.coarsening = true;
-        collapse_short_edges(shop);
-        raise_mean(shop, polish, kSweeps, observer);
-        chase(shop, chased, polish, observer);
-        split_long_edges(shop, chased);
-      }
-      raise_mean(shop, polish, kLastSweeps, observer);
-      open_obtuse(shop, observer);
-      break;
-  }
-}
-
-}  // namespace
-
-void Extremes::add(double shape, const std::array<Vec3, 4>& points, double target) {
-  // The shape is no more than the squared sine of any of the angles.
-  if (shape > of_note_) return;
-  const DihedralRange r = dihedral_range(points[0], points[1], points[2], points[3]);
-  range.smallest = std::min(range.smallest, r.smallest);
-  range.largest = std::max(range.largest, r.largest);
-  if (r.smallest < target) ++below_target;
-  of_note_ = 1.001 * shape_of_angle(std::max({range.smallest, std::numbers::pi - range.largest, target}));
-}
-
-void Extremes::join(const Extremes& other) {
-  range.smallest = std::min(range.smallest, other.range.smallest);
-  range.largest = std::max(range.largest, other.range.largest);
-  below_target += other.below_target;
-}
-
-FinalizeReport run_schedule(Workshop& shop, Aim aim, Mesh& mesh, Observer& observer) {
-  const FinalizeOptions& options = shop.options;
-  const Extremes before = extremes(shop.mesh, options.target_dihedral);
-  const double polish = shape_of_angle(kPolishAngle);
-  const double target = shape_of_angle(options.target_dihedral);
-  const double chased = shape_of_angle(std::max(kChaseAngle, options.target_dihedral));
-  if (aim == Aim::kScope) {
-    improve_all(shop, target, polish, chased, observer);
-  } else {
-    chase(shop, options.scope == FinalizeScope::kFast ? target : chased, polish, observer);
-    open_obtuse(shop, observer);
-  }
-  Extremes after = extremes(shop.mesh, options.target_dihedral);
-  const double kept = options.coarse_size_at ? std::min(before.range.smallest, options.target_dihedral)
-                                             : before.range.smallest;
-  if (after.range.smallest < kept) {
-    // Shapes grow by the sine, which an obtuse angle may have won by: then the mesh given is the better one.
-    shop.report = FinalizeReport{};
-    after = before;
-  } else {
-    mesh = to_mesh(shop.mesh);
-  }
-  shop.report.min_dihedral_before = before.range.smallest;
-  shop.report.min_dihedral_after = after.range.smallest;
-  shop.report.max_dihedral_after = after.range.largest;
-  shop.report.below_target = after.below_target;
-  return shop.report;
-}
 
 FinalizeReport finalize(Mesh& mesh, const Model& model, const FinalizeOptions& options, Observer& observer) {
   OCTET_CHECK(static_cast<bool>(options.size_at));
   if (std::optional<FinalizeReport> report = finalize_in_blocks(mesh, model, options, observer))
     return *report;
   Workshop shop(mesh, model, options);
-  return run_schedule(shop, Aim::kScope, mesh, observer);
+  return run_schedule(shop, Chosen::kByScope, mesh, observer);
 }
 
 }  // namespace octet

@@ -6,7 +6,6 @@
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/parallel_reduce.h>
-#include <oneapi/tbb/parallel_sort.h>
 #include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
@@ -15,12 +14,12 @@
 #include <memory>
 #include <numbers>
 #include <numeric>
+#include <optional>
 #include <thread>
-#include <tuple>
 
 #include "base/error.h"
-#include "finalize/blocks.h"
 #include "finalize/measure_account.h"
+#include "finalize/mesh_blocks.h"
 #include "finalize/schedule.h"
 #include "finalize/shape.h"
 
@@ -74,13 +73,13 @@ void for_each_block(std::size_t count, const Work& work) {
 
 /// A block being worked on. Not to be moved: the shop refers to the options.
 struct Task {
-  Block block;
+  MeshBlock block;
   Measures before, after;
   FinalizeOptions options;
   std::unique_ptr<Workshop> shop;
   FinalizeReport report;
 
-  void begin(const Blocks& blocks, std::size_t b, const Model& model, const FinalizeOptions& of_all) {
+  void begin(const MeshBlocks& blocks, std::size_t b, const Model& model, const FinalizeOptions& of_all) {
     block = blocks.cut_out(b);
     before = measures_of(block.mesh, model);
     options = of_all;
@@ -91,20 +90,6 @@ struct Task {
     shop = std::make_unique<Workshop>(block.mesh, model, options);
   }
 };
-
-/// Puts edges and triangles into the order that to_mesh() has.
-void sort_elements(Mesh& mesh) {
-  const auto sort = [](auto& elements, auto& on) {
-    using Element = typename std::decay_t<decltype(elements)>::value_type;
-    std::vector<std::pair<std::int32_t, Element>> all(on.size());
-    for (std::size_t i = 0; i < on.size(); ++i) all[i] = {on[i], elements[i]};
-    tbb::parallel_sort(all.begin(), all.end());
-    for (std::size_t i = 0; i < on.size(); ++i) std::tie(on[i], elements[i]) = all[i];
-  };
-  for (auto& t : mesh.triangles) std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-  sort(mesh.triangles, mesh.triangle_on);
-  sort(mesh.edges, mesh.edge_on);
-}
 
 std::array<Vec3, 4> corners(const Mesh& mesh, std::size_t tet) {
   const auto& t = mesh.tets[tet];
@@ -130,7 +115,7 @@ Extremes extremes(const Mesh& mesh, double target) {
 /// Those of the vertices that stayed, as they are numbered now.
 void renumber(Vertices& vertices, const Vertices& number) {
   for (Mesh::Index& v : vertices) v = number[v];
-  std::erase(vertices, Blocks::kGone);
+  std::erase(vertices, MeshBlocks::kGone);
 }
 
 /// A mesh on its way through blocks.
@@ -145,23 +130,28 @@ class Passage {
     report_.min_dihedral_before = std::numbers::pi / 2;
   }
 
-  [[nodiscard]] Blocks cut(Tets tets, std::size_t most) const {
-    return {mesh_, options_.fixed_vertices, options_.held, std::move(tets), most};
+  [[nodiscard]] MeshBlocks cut(const Tets& tets, std::size_t most) const {
+    return {mesh_, options_.fixed_vertices, options_.held, tets, most};
   }
 
-  /// Works on the blocks; the tetrahedra about their seams.
-  Tets work_on(const Blocks& blocks, Aim aim) {
+  [[nodiscard]] double share_at_seams(const MeshBlocks& blocks) const {
+    return static_cast<double>(tets_near(mesh_, blocks.seam(), kSeamLayers).size()) /
+           static_cast<double>(mesh_.tets.size());
+  }
+
+  /// Works on the blocks, which are used up by it; the tetrahedra about their seams.
+  Tets work_on(const MeshBlocks& blocks, Chosen chosen) {
     if (observer_.cancelled()) throw Cancelled();
     std::vector<Task> tasks(blocks.size());
-    run(blocks, aim, tasks);
-    std::vector<Block> done;
+    run(blocks, chosen, tasks);
+    std::vector<MeshBlock> done;
     for (Task& task : tasks) done.push_back(std::move(task.block));
     Vertices seam = blocks.seam();
     rims_.insert(rims_.end(), blocks.rim().begin(), blocks.rim().end());
     if (options_.scope == FinalizeScope::kSmoothing) {
-      Blocks::move_to(done, mesh_.points);
+      MeshBlocks::move_to(done, mesh_.points);
     } else {
-      Blocks::Whole whole = blocks.put_together(done);
+      MeshBlocks::Whole whole = blocks.put_together(done);
       renumber(seam, whole.number);
       renumber(rims_, whole.number);
       options_.held = std::move(whole.held);
@@ -184,7 +174,7 @@ class Passage {
   }
 
   [[nodiscard]] FinalizeReport finish() {
-    sort_elements(mesh_);
+    sort_boundary(mesh_);
     const Extremes after = extremes(mesh_, options_.target_dihedral);
     report_.min_dihedral_after = after.range.smallest;
     report_.max_dihedral_after = after.range.largest;
@@ -193,17 +183,18 @@ class Passage {
   }
 
  private:
-  void run(const Blocks& blocks, Aim aim, std::vector<Task>& tasks) {
+  void run(const MeshBlocks& blocks, Chosen chosen, std::vector<Task>& tasks) {
     for_each_block(tasks.size(), [&](std::size_t b) { tasks[b].begin(blocks, b, model_, options_); });
-    for (const Task& task : tasks) {
-      most_sag_ = std::max(most_sag_, task.shop->guard.most_sag());
-      task.shop->started = started_;
+    for (const Task& task : tasks) task.shop->started = started_;
+    if (!at_first_) {
+      at_first_.emplace();
+      for (const Task& task : tasks) at_first_->add(task.shop->guard.at_first());
     }
     Watch watch(observer_);
     for_each_block(tasks.size(), [&](std::size_t b) {
       Task& task = tasks[b];
-      task.shop->guard.aim_at(account_.goals_of(task.before), most_sag_);
-      task.report = run_schedule(*task.shop, aim, task.block.mesh, watch);
+      task.shop->guard.aim_at(account_.goals_of(task.before), *at_first_);
+      task.report = run_schedule(*task.shop, chosen, task.block.mesh, watch);
       task.shop.reset();
       task.after = measures_of(task.block.mesh, model_);
     });
@@ -222,9 +213,9 @@ class Passage {
   Observer& observer_;
   MeasureAccount account_;
   FinalizeReport report_;
-  double most_sag_ = 0.0;  ///< of the blocks at first
+  std::optional<WorstFits> at_first_;  ///< of the whole
   std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
-  Vertices rims_;
+  Vertices rims_;  ///< of blocks about seams
 };
 
 }  // namespace
@@ -233,23 +224,19 @@ std::optional<FinalizeReport> finalize_in_blocks(Mesh& mesh, const Model& model,
                                                  const FinalizeOptions& options, Observer& observer) {
   if (mesh.tets.size() < 2 * options.block_tets) return std::nullopt;
   Passage passage(mesh, model, options, observer);
-  Tets todo(mesh.tets.size());
-  std::iota(todo.begin(), todo.end(), 0);
-  auto blocks = std::make_unique<Blocks>(passage.cut(std::move(todo), options.block_tets));
-  const std::size_t at_seams = tets_near(mesh, blocks->seam(), kSeamLayers).size();
-  if (static_cast<double>(at_seams) > kMostAtSeams * static_cast<double>(mesh.tets.size()))
-    return std::nullopt;
-  for (std::size_t before = mesh.tets.size();;) {
-    todo = passage.work_on(*blocks, Aim::kScope);
-    if (todo.empty()) break;
-    // What does not get less is taken as one.
-    const std::size_t count = todo.size(), most = 2 * count > before ? count : options.block_tets;
-    blocks = std::make_unique<Blocks>(passage.cut(std::move(todo), most));
-    before = count;
+  Tets tets(mesh.tets.size());
+  std::iota(tets.begin(), tets.end(), 0);
+  std::size_t most = options.block_tets;
+  for (bool first = true; !tets.empty(); first = false) {
+    const MeshBlocks blocks = passage.cut(tets, most);
+    if (first && passage.share_at_seams(blocks) > kMostAtSeams) return std::nullopt;
+    Tets rest = passage.work_on(blocks, Chosen::kByScope);
+    if (2 * rest.size() > tets.size()) most = rest.size();  // what does not get less is taken as one
+    tets = std::move(rest);
   }
   if (options.scope == FinalizeScope::kFast || options.scope == FinalizeScope::kAll) {
-    todo = passage.short_at_rims();
-    if (!todo.empty()) passage.work_on(passage.cut(std::move(todo), options.block_tets), Aim::kWorst);
+    tets = passage.short_at_rims();
+    if (!tets.empty()) passage.work_on(passage.cut(tets, options.block_tets), Chosen::kWorst);
   }
   return passage.finish();
 }

@@ -2,6 +2,7 @@
 // Volumes and areas of a mesh that is worked on in blocks: each block has its share of the errors.
 #include "finalize/measure_account.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string_view>
 
@@ -33,20 +34,10 @@ Measures measures_of(const Mesh& mesh, const Model& model) {
 }
 
 MeasureAccount::MeasureAccount(const Mesh& mesh, const Model& model, std::span<const double> volume_beyond)
-    : model_(model), now_(measures_of(mesh, model)), volume_error_(now_.volume.size(), 0.0) {
-  for (std::size_t r = 1; r < now_.volume.size(); ++r) {
-    if (r < volume_beyond.size()) now_.volume[r] += volume_beyond[r];
-    const double exact = model.region(static_cast<int>(r)).volume;
-    volume_error_[r] = measure_bound(exact, std::abs(now_.volume[r] - exact));
-  }
-  double all = 0.0, error = 0.0;
-  for (std::size_t f = 1; f < now_.area.size(); ++f) {
-    if (now_.area[f] == 0.0) continue;  // not in the mesh
-    const double exact = model.face(static_cast<int>(f)).area;
-    all += exact;
-    error += std::abs(now_.area[f] - exact);
-  }
-  area_error_ = measure_bound(all, error);
+    : model_(model), now_(measures_of(mesh, model)) {
+  for (std::size_t r = 1; r < std::min(now_.volume.size(), volume_beyond.size()); ++r)
+    now_.volume[r] += volume_beyond[r];
+  goals_ = goals_of_model(model, now_);
 }
 
 std::vector<double> MeasureAccount::curved_areas(const Measures& measures) const {
@@ -65,13 +56,13 @@ MeasureGoals MeasureAccount::goals_of(const Measures& block) const {
   const std::vector<double> curved = curved_areas(now_), curved_here = curved_areas(block);
   for (std::size_t r = 1; r < goals.volume.size(); ++r) {
     const double part = share(curved_here[r], curved[r]);
-    goals.volume[r] -= part * (now_.volume[r] - model_.region(static_cast<int>(r)).volume);
-    goals.volume_error[r] = part * volume_error_[r];
+    goals.volume[r] -= part * (now_.volume[r] - goals_.volume[r]);
+    goals.volume_error[r] = part * goals_.volume_error[r];
   }
   double error = 0.0, error_here = 0.0, area = 0.0, area_here = 0.0;
   for (std::size_t f = 1; f < goals.area.size(); ++f) {
     if (now_.area[f] == 0.0) continue;
-    const double off = now_.area[f] - model_.face(static_cast<int>(f)).area;
+    const double off = now_.area[f] - goals_.area[f];
     const double part = share(block.area[f], now_.area[f]);
     goals.area[f] -= part * off;
     area += now_.area[f];
@@ -79,7 +70,7 @@ MeasureGoals MeasureAccount::goals_of(const Measures& block) const {
     error += std::abs(off);
     error_here += part * std::abs(off);
   }
-  goals.area_error = area_error_ * (error > 0.0 ? share(error_here, error) : share(area_here, area));
+  goals.area_error = goals_.area_error * (error > 0.0 ? share(error_here, error) : share(area_here, area));
   return goals;
 }
 

@@ -10,10 +10,6 @@
 
 namespace octet {
 
-/// Volumes per region tag, areas per face tag.
-struct Measures {
-  std::vector<double> volume, area;
-};
 [[nodiscard]] Measures measures_of(const Mesh& mesh, const Model& model);
 
 class MeasureAccount {
@@ -34,8 +30,7 @@ class MeasureAccount {
 
   const Model& model_;
   Measures now_;
-  std::vector<double> volume_error_;  ///< the largest allowed, per region tag
-  double area_error_ = 0.0;           ///< the same of the sum over the faces
+  MeasureGoals goals_;  ///< of the whole
 };
 
 }  // namespace octet

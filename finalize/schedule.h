@@ -32,13 +32,13 @@ struct Extremes {
   double of_note_ = 1.0;  ///< shapes above this can add nothing
 };
 
-enum class Aim {
-  kScope,  ///< what the options' scope asks for
-  kWorst,  ///< the worst alone
+enum class Chosen {
+  kByScope,  ///< what the options' scope asks for
+  kWorst,    ///< the worst alone
 };
 
 /// Works on the mesh in the shop, which was made of `mesh`; puts the result there, or leaves it as it was
 /// where the smallest angle would be less.
-FinalizeReport run_schedule(Workshop& shop, Aim aim, Mesh& mesh, Observer& observer);
+FinalizeReport run_schedule(Workshop& shop, Chosen chosen, Mesh& mesh, Observer& observer);
 
 }  // namespace octet

@@ -3,6 +3,7 @@
 #include "finalize/work_mesh.h"
 
 #include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_sort.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -276,17 +277,11 @@ Mesh to_mesh(const WorkMesh& work) {
     mesh.points.push_back(work.points[v]);
     mesh.point_on.push_back(work.on[v]);
   }
-  std::vector<std::tuple<std::int32_t, Mesh::Index, Mesh::Index>> edges;
   for (const auto& [key, tag] : work.pieces) {
     const Mesh::Index lo = number[key & 0xffffffffu], hi = number[key >> 32];
-    edges.emplace_back(std::abs(tag), tag > 0 ? lo : hi, tag > 0 ? hi : lo);
+    mesh.edges.push_back(tag > 0 ? std::array{lo, hi} : std::array{hi, lo});
+    mesh.edge_on.push_back(std::abs(tag));
   }
-  std::sort(edges.begin(), edges.end());
-  for (const auto& [tag, from, to] : edges) {
-    mesh.edges.push_back({from, to});
-    mesh.edge_on.push_back(tag);
-  }
-  std::vector<std::pair<std::int32_t, std::array<Mesh::Index, 3>>> triangles;
   for (std::size_t i = 0; i < work.tets.size(); ++i) {
     const TetId t(i);
     if (!work.alive(t)) continue;
@@ -301,16 +296,25 @@ Mesh to_mesh(const WorkMesh& work) {
       std::array<Mesh::Index, 3> triangle;
       for (int c = 0; c < 3; ++c) triangle[c] = number[v[kTetFace[f][c]].index()];
       if (tag < 0) std::swap(triangle[1], triangle[2]);
-      std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
-      triangles.emplace_back(std::abs(tag), triangle);
+      mesh.triangles.push_back(triangle);
+      mesh.triangle_on.push_back(std::abs(tag));
     }
   }
-  std::sort(triangles.begin(), triangles.end());
-  for (const auto& [tag, triangle] : triangles) {
-    mesh.triangles.push_back(triangle);
-    mesh.triangle_on.push_back(tag);
-  }
+  sort_boundary(mesh);
   return mesh;
+}
+
+void sort_boundary(Mesh& mesh) {
+  const auto sort = [](auto& elements, auto& on) {
+    using Element = typename std::decay_t<decltype(elements)>::value_type;
+    std::vector<std::pair<std::int32_t, Element>> all(on.size());
+    for (std::size_t i = 0; i < on.size(); ++i) all[i] = {on[i], elements[i]};
+    tbb::parallel_sort(all.begin(), all.end());
+    for (std::size_t i = 0; i < on.size(); ++i) std::tie(on[i], elements[i]) = all[i];
+  };
+  for (auto& t : mesh.triangles) std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+  sort(mesh.triangles, mesh.triangle_on);
+  sort(mesh.edges, mesh.edge_on);
 }
 
 void star(WorkMesh& mesh, VertexId v, std::vector<TetId>& tets) {

@@ -118,6 +118,9 @@ void remove_piece(WorkMesh& mesh, VertexId a, VertexId b);
   return c[0] == v ? 0 : c[1] == v ? 1 : c[2] == v ? 2 : c[3] == v ? 3 : -1;
 }
 
+/// Sorts edges and triangles by (tag, vertices), the least vertex of a triangle first.
+void sort_boundary(Mesh& mesh);
+
 /// All tetrahedra at the vertex (cleared first), in the order of the walk from tet_of[v].
 void star(WorkMesh& mesh, VertexId v, std::vector<TetId>& tets);
 

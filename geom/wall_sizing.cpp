@@ -27,10 +27,12 @@ constexpr double kTetsPerCube = 9.4;
 /// Facets that a ray is held against one by one; among more each ray finds its own.
 constexpr std::size_t kMany = 256;
 
-/// What a ray takes (4 us) among countless facets, or held against kMany, in the time of an element's whole
-/// way through the run. Slivers of facets are halved along their length until they are as short as their
-/// wish, and by their area alone a search of minutes would be within the budget.
+/// What a ray among countless facets takes (4 us), in the time of an element's whole way through the run.
+/// Slivers of facets are halved along their length until they are as short as their wish, and by their area
+/// alone a search of minutes would be within the budget.
 constexpr double kElementsPerRay = 0.2;
+/// The same of each facet that a ray is held against: among slivers longer than the part they are thousands.
+constexpr double kElementsPerFacet = kElementsPerRay / kMany;
 
 /// How many octants of the length wished for fit across. Layers of octree vertices and of centres are half an
 /// octant apart, and those that count keep 0.45 of one from both sheets (octree/seeds), so there are more
@@ -160,18 +162,19 @@ class WallSizer {
 
   /// Length along the probe's direction to the next facet ahead from number `first` on, infinite where that
   /// is no sheet or beyond reach.
-  [[nodiscard]] double thickness(const Vec3& p, const Probe& probe, std::size_t first) const {
+  [[nodiscard]] double thickness(const Vec3& p, const Probe& probe, std::size_t first) {
     const double reach = reach_of(probe);
     double nearest = kNoSize;
     bool is_sheet = false;
-    met_ = 0;
     if (crowded_) {
+      elements_ += kElementsPerRay;
       std::uint32_t facet = 0;
       for (double length = reach / 64.0; !(nearest <= length) && length <= reach; length *= 8.0)
         nearest = first_along(p, length * probe.direction, probe, facet);
       is_sheet = nearest <= reach && this->is_sheet(facet, probe);
     }
     for (std::size_t n = first; n < ahead_.size() && !crowded_; ++n) {
+      elements_ += kElementsPerFacet;
       const double s = along(p, probe.direction, ahead_[n].facet);
       if (s >= nearest) continue;
       nearest = s;
@@ -181,11 +184,10 @@ class WallSizer {
   }
 
   /// Length to the first facet on the way, ties to the lowest number.
-  [[nodiscard]] double first_along(const Vec3& p, const Vec3& way, const Probe& probe,
-                                   std::uint32_t& facet) const {
+  [[nodiscard]] double first_along(const Vec3& p, const Vec3& way, const Probe& probe, std::uint32_t& facet) {
     double nearest = kNoSize;
     model_.bvh().visit_segment(p, p + way, [&](std::uint32_t t) {
-      ++met_;
+      elements_ += kElementsPerFacet;
       const double s = ends(t, probe) ? along(p, probe.direction, t) : kNoSize;
       if (s > nearest || (s == nearest && t > facet)) return;
       nearest = s;
@@ -225,8 +227,6 @@ class WallSizer {
     const Vec3 middle = (a + b + c) / 3.0;
     const double across = octants_across(side.n);
     const double depth = thickness(middle, side, first);
-    elements_ += kElementsPerRay * (crowded_ ? 1.0 : 0.0) +
-                 kElementsPerRay / kMany * static_cast<double>(crowded_ ? met_ : ahead_.size() - first);
     const double wish = wishes_.floored(depth / (side.n > 1.0 ? across : side.n));
     const std::array<double, 3> length{(c - b).norm(), (a - c).norm(), (b - a).norm()};
     const auto longest =
@@ -260,9 +260,8 @@ class WallSizer {
   WallOptions options_;
   Wishes wishes_;
   std::vector<std::vector<int>> neighbours_;  ///< per face: those that share an edge with it, ascending
-  std::vector<Ahead> ahead_;     ///< what the running probe may meet, then the same for each halving
-  bool crowded_ = false;         ///< they are too many for that
-  mutable std::size_t met_ = 0;  ///< facets that the last ray met among them
+  std::vector<Ahead> ahead_;  ///< what the running probe may meet, then the same for each halving
+  bool crowded_ = false;      ///< they are too many for that
   double elements_ = 0.0;
 };
 

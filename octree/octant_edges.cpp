@@ -12,9 +12,6 @@
 namespace octet {
 namespace {
 
-/// Octants looked at by one task.
-constexpr std::size_t kScanBlock = 8192;
-
 /// From, middle and to of the twelve edges, as places of the octant's 3x3x3 lattice.
 constexpr std::array<std::array<std::uint8_t, 3>, 12> edge_places() {
   std::array<std::array<std::uint8_t, 3>, 12> places{};
@@ -41,7 +38,7 @@ std::vector<OctantEdge> boundary_octant_edges(const Octree& tree, const OctreeVe
   const auto add = [](Lines& lines, std::uint32_t from, std::uint32_t to) {
     lines.push_back(std::uint64_t{std::min(from, to)} << 32 | std::max(from, to));
   };
-  Lines along_axes = collect<std::uint64_t>(tree.size(), kScanBlock, [&](std::size_t i, Lines& lines) {
+  Lines along_axes = collect<std::uint64_t>(tree.size(), [&](std::size_t i, Lines& lines) {
     if (types.type[i] != OctantType::kBoundary) return;
     const OctantId o(i);
     const OctantLattice lattice = octant_lattice(tree, vertices, o);
@@ -58,7 +55,7 @@ std::vector<OctantEdge> boundary_octant_edges(const Octree& tree, const OctreeVe
         add(lines, vertices.centre(o), vertices.centre(*other));
     }
   });
-  const Lines diagonal = collect<std::uint64_t>(tree.size(), kScanBlock, [&](std::size_t i, Lines& lines) {
+  const Lines diagonal = collect<std::uint64_t>(tree.size(), [&](std::size_t i, Lines& lines) {
     if (types.type[i] != OctantType::kBoundary) return;
     for (const std::uint32_t corner : vertices.corners[i]) add(lines, corner, vertices.centre(OctantId(i)));
   });

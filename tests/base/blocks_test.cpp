@@ -12,18 +12,18 @@
 namespace octet {
 namespace {
 
-TEST(Blocks, CollectKeepsTheOrderWhateverTheBlock) {
+TEST(ParallelBlocks, CollectKeepsTheOrderWhateverTheBlock) {
   std::vector<std::size_t> expected;
   const auto visit = [](std::size_t i, std::vector<std::size_t>& items) {
     for (std::size_t k = 0; k < i % 3; ++k) items.push_back(10 * i + k);
   };
   for (std::size_t i = 0; i < 1000; ++i) visit(i, expected);
   for (const std::size_t block : {1, 7, 1000, 5000})
-    EXPECT_EQ(collect<std::size_t>(1000, block, visit), expected) << block;
-  EXPECT_TRUE(collect<std::size_t>(0, 16, visit).empty());
+    EXPECT_EQ(collect<std::size_t>(1000, visit, block), expected) << block;
+  EXPECT_TRUE(collect<std::size_t>(0, visit).empty());
 }
 
-TEST(Blocks, JoinedListsFollowEachOther) {
+TEST(ParallelBlocks, JoinedListsFollowEachOther) {
   EXPECT_EQ(joined<int>({{1, 2}, {}, {3}, {4, 5, 6}, {}}), (std::vector{1, 2, 3, 4, 5, 6}));
   EXPECT_TRUE(joined<int>({}).empty());
 }

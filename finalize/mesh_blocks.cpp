@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A mesh cut into blocks that can be worked on side by side, and put together again.
-#include "finalize/blocks.h"
+#include "finalize/mesh_blocks.h"
 
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/parallel_invoke.h>
@@ -16,9 +16,6 @@ namespace octet {
 namespace {
 
 using Index = Mesh::Index;
-
-/// Tetrahedra looked at by one task.
-constexpr std::size_t kScanBlock = 16384;
 
 struct Placed {
   std::array<float, 3> centre;
@@ -91,8 +88,8 @@ std::array<Index, 3> sorted(std::array<Index, 3> v) {
 
 }  // namespace
 
-Blocks::Blocks(const Mesh& mesh, std::size_t fixed, const std::vector<Index>& held, std::vector<Index> tets,
-               std::size_t most)
+MeshBlocks::MeshBlocks(const Mesh& mesh, std::size_t fixed, const std::vector<Index>& held,
+                       const std::vector<Index>& tets, std::size_t most)
     : mesh_(mesh), fixed_(fixed), block_of_tet_(mesh.tets.size(), kBeyond) {
   if (!held.empty()) held_.resize(mesh.points.size(), 0);
   for (const Index v : held) held_[v] = 1;
@@ -105,7 +102,7 @@ Blocks::Blocks(const Mesh& mesh, std::size_t fixed, const std::vector<Index>& he
   assign_triangles_and_edges();
 }
 
-void Blocks::find_shared() {
+void MeshBlocks::find_shared() {
   block_of_.assign(mesh_.points.size(), kNone);
   for (std::size_t t = 0; t < mesh_.tets.size(); ++t) {
     if (block_of_tet_[t] == kBeyond) continue;
@@ -127,7 +124,7 @@ void Blocks::find_shared() {
   std::sort(rim_.begin(), rim_.end());
 }
 
-void Blocks::assign_triangles_and_edges() {
+void MeshBlocks::assign_triangles_and_edges() {
   const auto assign = [&](const auto& elements, auto& per_block, auto& seam) {
     per_block.resize(size());
     for (std::size_t i = 0; i < elements.size(); ++i) {
@@ -145,7 +142,7 @@ void Blocks::assign_triangles_and_edges() {
   assign(mesh_.edges, edges_, seam_edges_);
 }
 
-void Blocks::find_vertices(std::size_t block, Block& result) const {
+void MeshBlocks::find_vertices(std::size_t block, MeshBlock& result) const {
   std::vector<char> used(mesh_.points.size(), 0);
   std::vector<Index>& all = result.vertices;
   for (const Index t : tets_[block]) {
@@ -164,7 +161,8 @@ void Blocks::find_vertices(std::size_t block, Block& result) const {
   result.held = static_cast<std::size_t>(first_loose - first_free);
 }
 
-void Blocks::add_triangles_and_edges(std::size_t block, const std::vector<Index>& number, Mesh& mesh) const {
+void MeshBlocks::add_triangles_and_edges(std::size_t block, const std::vector<Index>& number,
+                                         Mesh& mesh) const {
   std::vector<Index> triangles = triangles_[block], edges = edges_[block];
   for (const Index t : tets_[block]) {
     const auto& v = mesh_.tets[t];
@@ -194,8 +192,8 @@ void Blocks::add_triangles_and_edges(std::size_t block, const std::vector<Index>
   add(edges, mesh_.edges, mesh_.edge_on, mesh.edges, mesh.edge_on);
 }
 
-Block Blocks::cut_out(std::size_t block) const {
-  Block result;
+MeshBlock MeshBlocks::cut_out(std::size_t block) const {
+  MeshBlock result;
   find_vertices(block, result);
   std::vector<Index> number(mesh_.points.size(), kNone);
   for (const Index v : result.vertices) {
@@ -211,7 +209,7 @@ Block Blocks::cut_out(std::size_t block) const {
   return result;
 }
 
-void Blocks::keep_others(Whole& whole) const {
+void MeshBlocks::keep_others(Whole& whole) const {
   Mesh& mesh = whole.mesh;
   std::vector<Index>& number = whole.number;
   number.assign(mesh_.points.size(), kGone);
@@ -223,10 +221,9 @@ void Blocks::keep_others(Whole& whole) const {
     if (!held_.empty() && held_[v]) whole.held.push_back(number[v]);
   }
   const auto keep = [&](const auto& elements, const auto& on, auto& to, auto& to_on, const auto& is_kept) {
-    const auto kept =
-        collect<Index>(elements.size(), kScanBlock, [&](std::size_t i, std::vector<Index>& found) {
-          if (is_kept(i)) found.push_back(static_cast<Index>(i));
-        });
+    const auto kept = collect<Index>(elements.size(), [&](std::size_t i, std::vector<Index>& found) {
+      if (is_kept(i)) found.push_back(static_cast<Index>(i));
+    });
     to.resize(kept.size());
     to_on.resize(kept.size());
     tbb::parallel_for(std::size_t{0}, kept.size(), [&](std::size_t n) {
@@ -246,12 +243,12 @@ void Blocks::keep_others(Whole& whole) const {
        [&](std::size_t i) { return is_of_no_block(mesh_.edges[i]); });
 }
 
-Blocks::Whole Blocks::put_together(const std::vector<Block>& blocks) const {
+MeshBlocks::Whole MeshBlocks::put_together(const std::vector<MeshBlock>& blocks) const {
   Whole whole;
   keep_others(whole);
   Mesh& mesh = whole.mesh;
   std::vector<std::size_t> first_point{mesh.points.size()}, first_tet{mesh.tets.size()};
-  for (const Block& block : blocks) {
+  for (const MeshBlock& block : blocks) {
     first_point.push_back(first_point.back() + block.mesh.points.size() - block.fixed);
     first_tet.push_back(first_tet.back() + block.mesh.tets.size());
     for (std::size_t v = 0; v < block.held; ++v)
@@ -268,7 +265,7 @@ Blocks::Whole Blocks::put_together(const std::vector<Block>& blocks) const {
   };
   std::vector<Elements> of_blocks(blocks.size());
   tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t b) {
-    const Block& block = blocks[b];
+    const MeshBlock& block = blocks[b];
     std::vector<Index> in_whole(block.mesh.points.size());
     for (std::size_t v = 0; v < block.fixed; ++v) in_whole[v] = whole.number[block.vertices[v]];
     for (std::size_t v = block.fixed; v < in_whole.size(); ++v) {
@@ -308,8 +305,8 @@ Blocks::Whole Blocks::put_together(const std::vector<Block>& blocks) const {
   return whole;
 }
 
-void Blocks::move_to(const std::vector<Block>& blocks, std::vector<Vec3>& points) {
-  for (const Block& block : blocks)
+void MeshBlocks::move_to(const std::vector<MeshBlock>& blocks, std::vector<Vec3>& points) {
+  for (const MeshBlock& block : blocks)
     for (std::size_t v = 0; v < block.vertices.size(); ++v) points[block.vertices[v]] = block.mesh.points[v];
 }
 
@@ -317,19 +314,17 @@ std::vector<Mesh::Index> tets_near(const Mesh& mesh, const std::vector<Mesh::Ind
   std::vector<char> vertex_near(mesh.points.size(), 0), near(mesh.tets.size(), 0);
   for (const Index v : vertices) vertex_near[v] = 1;
   for (int layer = 0; layer < layers; ++layer) {
-    const auto found =
-        collect<Index>(mesh.tets.size(), kScanBlock, [&](std::size_t t, std::vector<Index>& tets) {
-          const auto& v = mesh.tets[t];
-          if (!near[t] &&
-              (vertex_near[v[0]] | vertex_near[v[1]] | vertex_near[v[2]] | vertex_near[v[3]]) != 0)
-            tets.push_back(static_cast<Index>(t));
-        });
+    const auto found = collect<Index>(mesh.tets.size(), [&](std::size_t t, std::vector<Index>& tets) {
+      const auto& v = mesh.tets[t];
+      if (!near[t] && (vertex_near[v[0]] | vertex_near[v[1]] | vertex_near[v[2]] | vertex_near[v[3]]) != 0)
+        tets.push_back(static_cast<Index>(t));
+    });
     for (const Index t : found) {
       near[t] = 1;
       for (const Index v : mesh.tets[t]) vertex_near[v] = 1;
     }
   }
-  return collect<Index>(near.size(), kScanBlock, [&](std::size_t t, std::vector<Index>& tets) {
+  return collect<Index>(near.size(), [&](std::size_t t, std::vector<Index>& tets) {
     if (near[t]) tets.push_back(static_cast<Index>(t));
   });
 }

@@ -14,7 +14,7 @@ namespace octet {
 
 /// Tetrahedra of a mesh with their triangles and edges. What works on it must leave the first `fixed`
 /// vertices as they are, and remove none of the first `fixed + held`.
-struct Block {
+struct MeshBlock {
   Mesh mesh;
   std::size_t fixed = 0, held = 0;
   std::vector<Mesh::Index> vertices;  ///< as it was cut out: their numbers in the whole mesh
@@ -22,15 +22,15 @@ struct Block {
 
 /// Blocks of a mesh, which must outlive them unchanged. Vertices that others hold on to are fixed in a block:
 /// tetrahedra of another block or of none, or vertices fixed in the mesh.
-class Blocks {
+class MeshBlocks {
  public:
   using Index = Mesh::Index;
 
   /// Cuts the tetrahedra numbered `tets` at planes across the longest extents into the fewest blocks of no
   /// more than `most` each, about equal in number. The first `fixed` vertices are fixed in every block;
   /// `held`, in ascending order, come next in theirs.
-  Blocks(const Mesh& mesh, std::size_t fixed, const std::vector<Index>& held, std::vector<Index> tets,
-         std::size_t most);
+  MeshBlocks(const Mesh& mesh, std::size_t fixed, const std::vector<Index>& held,
+             const std::vector<Index>& tets, std::size_t most);
 
   [[nodiscard]] std::size_t size() const { return tets_.size(); }
   /// Vertices that several blocks have, ascending.
@@ -38,7 +38,7 @@ class Blocks {
   /// Vertices of one block that tetrahedra of none have, too, ascending.
   [[nodiscard]] const std::vector<Index>& rim() const { return rim_; }
   /// Many threads may cut at once. Cost: that of the block, and a byte or four for each vertex of the mesh.
-  [[nodiscard]] Block cut_out(std::size_t block) const;
+  [[nodiscard]] MeshBlock cut_out(std::size_t block) const;
 
   struct Whole {
     Mesh mesh;  ///< triangles and edges in no order
@@ -48,9 +48,9 @@ class Blocks {
   };
   static constexpr Index kGone = 0xffffffffu;
   /// The mesh with each block as it is now. The first `fixed` vertices keep their numbers.
-  [[nodiscard]] Whole put_together(const std::vector<Block>& blocks) const;
+  [[nodiscard]] Whole put_together(const std::vector<MeshBlock>& blocks) const;
   /// Moves the mesh's vertices to where they are in the blocks, which have changed in nothing else.
-  static void move_to(const std::vector<Block>& blocks, std::vector<Vec3>& points);
+  static void move_to(const std::vector<MeshBlock>& blocks, std::vector<Vec3>& points);
 
  private:
   using Triple = std::array<Index, 3>;
@@ -58,7 +58,7 @@ class Blocks {
 
   void find_shared();
   void assign_triangles_and_edges();
-  void find_vertices(std::size_t block, Block& result) const;
+  void find_vertices(std::size_t block, MeshBlock& result) const;
   /// Puts what no block has, and what is on seams, into the whole.
   void keep_others(Whole& whole) const;
   void add_triangles_and_edges(std::size_t block, const std::vector<Index>& number, Mesh& mesh) const;
