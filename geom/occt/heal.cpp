@@ -258,7 +258,7 @@ class Healer {
     adopt(solid, shrink_spots(solid, smallest_of(solid)), 2,
           "are no larger than " + smallest + " and became vertices");
     adopt(solid, merge_strips(solid, smallest_of(solid)), 2,
-          "are no wider than the tolerance of their sides, or than " + smallest + ", and became edges");
+          "are no wider than the tolerance or the gaps of their sides, or than " + smallest + ", and became edges");
     adopt(solid, drop_short_edges(solid, smallest_of(solid)), 1,
           "are no longer than " + smallest + " and became vertices");
     adopt(solid, split_touched_edges(solid, smallest_of(solid)), 1,

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Strips are found by the tolerances of their own sides, and replaced by OCCT.
+// Strips are found by the tolerances and gaps of their own sides, and replaced by OCCT.
 #include "geom/occt/strips.h"
 
+#include <BRepAdaptor_Curve.hxx>
 #include <BRep_Tool.hxx>
 #include <Precision.hxx>
 #include <ShapeAnalysis_CheckSmallFace.hxx>
@@ -56,24 +57,75 @@ bool may_be_strip(const TopoDS_Face& face, double width) {
   return false;
 }
 
-/// Twice the edge's tolerance; nothing where that is what every edge has, which says nothing of it.
-double vagueness(const TopoDS_Edge& edge) {
-  const double width = 2.0 * BRep_Tool::Tolerance(edge);
-  return width > 10.0 * Precision::Confusion() ? width : 0.0;
+double longest_chord(const TopoDS_Face& face) {
+  double longest = 0.0;
+  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
+    const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
+    longest = std::max(
+        longest,
+        BRep_Tool::Pnt(TopExp::FirstVertex(edge)).Distance(BRep_Tool::Pnt(TopExp::LastVertex(edge))));
+  }
+  return longest;
 }
 
-/// Twice the tolerance of its vaguer long side, or `least` where that is more, if the face is no wider, else
-/// 0.
-double strip_width(const TopoDS_Face& face, double least) {
-  double width = least;
-  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next())
-    width = std::max(width, vagueness(TopoDS::Edge(it.Current())));
-  if (!may_be_strip(face, width)) return 0.0;
-  const auto [a, b] = sides_within(face, width);
-  if (a.IsNull() || b.IsNull()) return 0.0;
-  const double own = std::max({least, vagueness(a), vagueness(b)});
-  return own == width || !sides_within(face, own)[0].IsNull() ? own : 0.0;
+/// How far the edge runs beside its curve on the face, by samples at equal parameters.
+double gap_beside(const TopoDS_Edge& edge, const TopoDS_Face& face) {
+  constexpr int kSamples = 24;
+  double gap = 0.0;
+  if (BRep_Tool::Degenerated(edge)) return gap;
+  try {
+    const BRepAdaptor_Curve curve(edge), on_face(edge, face);
+    const double first = curve.FirstParameter(), last = curve.LastParameter();
+    for (int i = 0; i <= kSamples; ++i) {
+      const double t = first + (last - first) * i / kSamples;
+      gap = std::max(gap, curve.Value(t).Distance(on_face.Value(t)));
+    }
+  } catch (const Standard_Failure&) {  // no curve on the face: nothing to measure
+    return 0.0;
+  }
+  return gap;
 }
+
+/// Widths within which a face is a strip.
+class StripWidth {
+ public:
+  /// `least`: of every face.
+  StripWidth(const TopoDS_Face& face, double least)
+      : face_(face), least_(least), slender_(may_be_strip(face, kSlender * longest_chord(face))) {}
+
+  /// The vagueness of its sides, halved while the face is a strip within that; 0: it is none.
+  [[nodiscard]] double find() const {
+    double width = least_;
+    for (TopExp_Explorer it(face_, TopAbs_EDGE); it.More(); it.Next())
+      width = std::max(width, vagueness(TopoDS::Edge(it.Current())));
+    if (!may_be_strip(face_, width)) return 0.0;
+    const auto [a, b] = sides_within(face_, width);
+    if (a.IsNull() || b.IsNull()) return 0.0;
+    const double own = std::max({least_, vagueness(a), vagueness(b)});
+    if (own < width && !is_strip(own)) return 0.0;
+    width = own;
+    // OCCT merges all that is as narrow.
+    while (0.5 * width > least_ && is_strip(0.5 * width)) width *= 0.5;
+    return width;
+  }
+
+ private:
+  static constexpr double kSlender = 0.1;
+
+  [[nodiscard]] bool is_strip(double width) const { return !sides_within(face_, width)[0].IsNull(); }
+
+  /// Twice the edge's tolerance, or twice as far as it runs beside a slender face; nothing where that is what
+  /// every edge has, which says nothing of it.
+  [[nodiscard]] double vagueness(const TopoDS_Edge& edge) const {
+    const double gap = slender_ ? gap_beside(edge, face_) : 0.0;
+    const double width = 2.0 * std::max(BRep_Tool::Tolerance(edge), gap);
+    return width > 10.0 * Precision::Confusion() ? width : 0.0;
+  }
+
+  const TopoDS_Face& face_;
+  double least_;
+  bool slender_;
+};
 
 /// `step`: what OCCT's fixer is to do; returns the solid.
 template <class Step>
@@ -103,7 +155,7 @@ Repair merge_strips(const TopoDS_Shape& solid, double least) {
   std::vector<TopoDS_Face> others;
   for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next()) {
     const TopoDS_Face& face = TopoDS::Face(it.Current());
-    if (const double own = strip_width(face, least); own > 0.0) {
+    if (const double own = StripWidth(face, least).find(); own > 0.0) {
       result.entities.push_back(face);
       width = std::max(width, own);
     } else {

@@ -86,8 +86,8 @@ std::string note_with(const Model& model, const std::string& words) {
 }
 
 /// A box 1 x 2 x 3 whose face y = 0 ends in an arc that bulges by `bulge` over the edge that the face z = 3
-/// ends in, with a face between the two; the arc has the given tolerance.
-TopoDS_Shape box_with_a_strip(double bulge, double tolerance) {
+/// ends in, with a face between the two, on a plane `lift` above; the arc has the given tolerance.
+TopoDS_Shape box_with_a_strip(double bulge, double tolerance, double lift = 0.0) {
   const BRep_Builder builder;
   std::vector<TopoDS_Face> faces = faces_of(BRepPrimAPI_MakeBox(1.0, 2.0, 3.0).Shape());
   TopoDS_Edge straight;
@@ -102,7 +102,7 @@ TopoDS_Shape box_with_a_strip(double bulge, double tolerance) {
   BRepTools_ReShape reshape;
   reshape.Replace(straight, bowed);
   faces[2] = TopoDS::Face(reshape.Apply(faces[2]));
-  const gp_Pln top(gp_Pnt(0, 0, 3), gp::DZ());
+  const gp_Pln top(gp_Pnt(0, 0, 3 + lift), gp::DZ());
   const TopoDS_Wire loop = BRepBuilderAPI_MakeWire(bowed, TopoDS::Edge(straight.Reversed())).Wire();
   faces.push_back(BRepBuilderAPI_MakeFace(top, loop).Face());
   return solid_of(faces);
@@ -110,7 +110,7 @@ TopoDS_Shape box_with_a_strip(double bulge, double tolerance) {
 
 TEST(Heal, AFaceWithinTheToleranceOfItsSidesBecomesAnEdge) {
   const Model model = model_from_shape(box_with_a_strip(0.004, 0.005));
-  EXPECT_NE(note_with(model, "no wider than the tolerance of their sides"), "");
+  EXPECT_NE(note_with(model, "no wider than the tolerance or the gaps of their sides"), "");
   EXPECT_EQ(model.count(2), 6);
   EXPECT_EQ(model.count(1), 12);
   EXPECT_EQ(check_model(model), "");
@@ -119,8 +119,21 @@ TEST(Heal, AFaceWithinTheToleranceOfItsSidesBecomesAnEdge) {
 
 TEST(Heal, AFaceWiderThanTheToleranceOfItsSidesStays) {
   const Model model = model_from_shape(box_with_a_strip(0.04, 0.005));
-  EXPECT_EQ(note_with(model, "no wider than the tolerance of their sides"), "");
+  EXPECT_EQ(note_with(model, "no wider than the tolerance or the gaps of their sides"), "");
   EXPECT_EQ(model.count(2), 7);
+}
+
+TEST(Heal, AFaceNoWiderThanItsSidesLieOffItBecomesAnEdge) {
+  const Model model = model_from_shape(box_with_a_strip(0.004, 1e-7, 0.005));
+  EXPECT_NE(note_with(model, "no wider than the tolerance or the gaps of their sides"), "");
+  EXPECT_EQ(model.count(2), 6);
+  EXPECT_EQ(model.count(1), 12);
+  EXPECT_EQ(check_model(model), "");
+  EXPECT_NEAR(model.region(1).volume, 6.0, 0.01);
+}
+
+TEST(Heal, AFaceWiderThanItsSidesLieOffItStays) {
+  EXPECT_EQ(model_from_shape(box_with_a_strip(0.04, 1e-7, 0.005)).count(2), 7);
 }
 
 TEST(Heal, SaysNothingOfAHealthyPart) {
