@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "base/blocks.h"
 #include "base/predicates.h"
 #include "base/vertex_order.h"
 
@@ -128,14 +129,20 @@ void Attempt::forget_band() {
 }
 
 void cut_tree(Attempt& attempt, const Model& model, const std::function<bool()>& cancelled) {
-  attempt.vertices = octree_vertices(attempt.tree);
-  const OctantTypes types = octant_types(model, attempt.tree);
+  OctantTypes& types = attempt.labels;
+  run_both([&] { attempt.vertices = octree_vertices(attempt.tree); },
+           [&] { types = octant_types(model, attempt.tree); });
   attempt.cuts = cut_octant_edges(model, attempt.tree, attempt.vertices, types, cancelled);
-  attempt.labels = label_vertices(model, attempt.tree, attempt.vertices, types, attempt.cuts);
 }
 
 void place_points(Attempt& attempt, const Model& model, const SeedOptions& options) {
-  attempt.seeds = seed_points(model, attempt.tree, attempt.vertices, attempt.labels, attempt.cuts, options);
+  Seeder seeder(model, attempt.tree, options);
+  OctreeLabels labels;
+  run_both(
+      [&] { seeder.seed_boundary(attempt.cuts); },
+      [&] { labels = label_vertices(model, attempt.tree, attempt.vertices, attempt.labels, attempt.cuts); });
+  attempt.labels = std::move(labels);
+  attempt.seeds = seeder.seed_octree(attempt.vertices, attempt.labels);
   attempt.split =
       split_interior(model, attempt.tree, attempt.vertices, attempt.labels, attempt.seeds, options.size);
 }
@@ -175,19 +182,19 @@ std::vector<Vec3> points_of(const Attempt& attempt) {
   const std::vector<Vec3>& own = attempt.split.band.position;
   std::vector<Vec3> points = tets.points.values();
   std::copy(own.begin(), own.end(), points.begin());
-  const auto positive = [&](const std::array<VertexId, 4>& v) {
-    return orient3d(points[v[0].index()], points[v[1].index()], points[v[2].index()], points[v[3].index()]) >
-           0;
+  const auto find_turned = [&] {
+    return collect<TetId>(tets.tets.size(), [&](std::size_t i, std::vector<TetId>& found) {
+      const TetId t(i);
+      if (!tets.alive(t) || tets.ghost(t)) return;
+      const auto& v = tets.tets[t];
+      if (!(orient3d(points[v[0].index()], points[v[1].index()], points[v[2].index()], points[v[3].index()]) >
+            0))
+        found.push_back(t);
+    });
   };
-  for (bool changed = true; changed;) {
-    changed = false;
-    for (std::size_t i = 0; i < tets.tets.size(); ++i) {
-      const auto& v = tets.tets[TetId(i)];
-      if (!tets.alive(TetId(i)) || tets.ghost(TetId(i)) || positive(v)) continue;
-      for (const VertexId w : v) points[w.index()] = tets.points[w];
-      changed = true;
-    }
-  }
+  for (std::vector<TetId> turned = find_turned(); !turned.empty(); turned = find_turned())
+    for (const TetId t : turned)
+      for (const VertexId w : tets.tets[t]) points[w.index()] = tets.points[w];
   return points;
 }
 

@@ -23,7 +23,7 @@ struct Attempt {
   Octree tree;
   OctreeVertices vertices;
   std::vector<OctantEdgeCut> cuts;
-  OctreeLabels labels;
+  OctreeLabels labels;  ///< of octants once the tree is cut, of vertices once points are placed
   Seeds seeds;
   BandAndInterior split;
   Triangulation triangulation;

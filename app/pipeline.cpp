@@ -265,10 +265,10 @@ class Run {
     auto next = std::make_unique<Attempt>(std::move(tree));
     begin("cuts", 0.1);
     cut_tree(*next, model_, options_.cancelled);
-    tell_conflicts(next->labels.conflicts);
     check_limit(*next);
     begin("points", 0.2);
     place_points(*next, model_, seeds_);
+    tell_conflicts(next->labels.conflicts);
     observer_.note(fmt::format("points: {} on the boundary, {} in all, {} triangulated; {} template octants",
                                next->seeds.surface_points, next->seeds.points.size(), next->split.band.size(),
                                next->split.templates));

@@ -1,14 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Long loops in parallel, with results that do not depend on the threads.
+// Long loops and steps in parallel, with results that do not depend on the threads.
 #pragma once
 
 #include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_group.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <vector>
 
 namespace octet {
+
+/// Two steps that need nothing of each other, in parallel; `here` on the calling thread. What one of them
+/// throws is thrown once both have ended.
+template <class Here, class Elsewhere>
+void run_both(const Here& here, const Elsewhere& elsewhere) {
+  tbb::task_group group;
+  group.run(elsewhere);
+  group.run_and_wait(here);
+}
 
 /// body(first, last) for blocks of `block` items of [0, n), in parallel; the results in the order of the
 /// blocks, whose bounds are the same for any number of threads.

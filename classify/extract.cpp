@@ -5,6 +5,7 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "base/blocks.h"
@@ -18,7 +19,8 @@ class Extractor {
   Extractor(std::span<const Vec3> points, std::span<const ModelRef> on)
       : points_(points), on_(on), number_(points.size(), kUnused) {}
 
-  void use(std::uint32_t p) { number_[p] = 0; }
+  /// From several threads at once.
+  void use(std::uint32_t p) { std::atomic_ref(number_[p]).store(0, std::memory_order_relaxed); }
 
   /// Numbers `first` in their order, then the other used points in theirs.
   void number(std::span<const std::uint32_t> first) {
@@ -87,10 +89,12 @@ Mesh extract_mesh(Band& band, const TetMesh& tets, std::span<const Vec3> points,
         0.25 * (tets.points[v[0]] + tets.points[v[1]] + tets.points[v[2]] + tets.points[v[3]]);
     if (!extra.covers || !extra.covers(centroid)) found.push_back(t);
   });
-  for (const TetId t : kept)
-    for (const VertexId p : tets.tets[t]) out.use(p.index());
-  for (const auto& t : extra.tets)
-    for (const std::uint32_t p : t) out.use(p);
+  tbb::parallel_for(std::size_t{0}, kept.size(), [&](std::size_t i) {
+    for (const VertexId p : tets.tets[kept[i]]) out.use(p.index());
+  });
+  tbb::parallel_for(std::size_t{0}, extra.tets.size(), [&](std::size_t i) {
+    for (const std::uint32_t p : extra.tets[i]) out.use(p);
+  });
   out.number(extra.first);
   Mesh& mesh = out.mesh;
   mesh.tets.resize(kept.size() + extra.tets.size());

@@ -6,6 +6,7 @@
 #include <oneapi/tbb/parallel_invoke.h>
 
 #include <algorithm>
+#include <atomic>
 #include <span>
 
 #include "base/blocks.h"
@@ -104,13 +105,17 @@ MeshBlocks::MeshBlocks(const Mesh& mesh, std::size_t fixed, const std::vector<In
 
 void MeshBlocks::find_shared() {
   block_of_.assign(mesh_.points.size(), kNone);
-  for (std::size_t t = 0; t < mesh_.tets.size(); ++t) {
-    if (block_of_tet_[t] == kBeyond) continue;
+  tbb::parallel_for(std::size_t{0}, mesh_.tets.size(), [&](std::size_t t) {
+    const std::uint32_t own = block_of_tet_[t];
+    if (own == kBeyond) return;
     for (const Index v : mesh_.tets[t]) {
-      std::uint32_t& block = block_of_[v];
-      block = block == kNone || block == block_of_tet_[t] ? block_of_tet_[t] : kShared;
+      const std::atomic_ref block(block_of_[v]);
+      std::uint32_t known = block.load(std::memory_order_relaxed);
+      while (known != own && known != kShared &&
+             !block.compare_exchange_weak(known, known == kNone ? own : kShared, std::memory_order_relaxed)) {
+      }
     }
-  }
+  });
   for (std::size_t v = 0; v < block_of_.size(); ++v)
     if (block_of_[v] == kShared) seam_.push_back(static_cast<Index>(v));
   for (std::size_t t = 0; t < mesh_.tets.size(); ++t) {
@@ -245,8 +250,17 @@ void MeshBlocks::keep_others(Whole& whole) const {
 
 MeshBlocks::Whole MeshBlocks::put_together(const std::vector<MeshBlock>& blocks) const {
   Whole whole;
-  keep_others(whole);
   Mesh& mesh = whole.mesh;
+  std::size_t points = mesh_.points.size(), tets = mesh_.tets.size();
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    points += blocks[b].mesh.points.size() - blocks[b].vertices.size();
+    tets += blocks[b].mesh.tets.size() - tets_[b].size();
+  }
+  mesh.points.reserve(points);
+  mesh.point_on.reserve(points);
+  mesh.tets.reserve(tets);
+  mesh.tet_in.reserve(tets);
+  keep_others(whole);
   std::vector<std::size_t> first_point{mesh.points.size()}, first_tet{mesh.tets.size()};
   for (const MeshBlock& block : blocks) {
     first_point.push_back(first_point.back() + block.mesh.points.size() - block.fixed);

@@ -2,6 +2,9 @@
 // A box hierarchy over the facets.
 #include "geom/facet_bvh.h"
 
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_invoke.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -74,21 +77,34 @@ class FacetBvhBuilder {
   FacetBvhBuilder(FacetBvh& bvh, const Facets& facets) : bvh_(bvh), facets_(facets) {}
 
   void build(int faces) {
-    fill_items();
+    fill_leaves();
+    bvh_.items_.resize(leaves_.size());
     bvh_.face_root_.assign(faces + 1, -1);
-    std::vector<Leaf> tops;
-    for (std::size_t begin = 0; begin < order_.size();) {
-      const int face = facets_.face[order_[begin].index];
-      std::size_t end = begin;
-      Box3 box;
-      for (; end < order_.size() && facets_.face[order_[end].index] == face; ++end) box.add(order_[end].box);
-      const std::int32_t root =
-          split(std::span(order_).subspan(begin, end - begin), &FacetBvhBuilder::leaf, 4);
-      bvh_.face_root_[face] = root;
-      tops.push_back({box, box.centre(), static_cast<std::uint32_t>(root)});
-      begin = end;
+    std::vector<std::span<Leaf>> of_faces;
+    for (std::size_t begin = 0, end = 0; begin < leaves_.size(); begin = end) {
+      const int face = face_of(leaves_[begin]);
+      while (end < leaves_.size() && face_of(leaves_[end]) == face) ++end;
+      of_faces.push_back(std::span(leaves_).subspan(begin, end - begin));
     }
-    if (!tops.empty()) bvh_.root_ = split(tops, &FacetBvhBuilder::child, 1);
+    std::vector<Branch> branches(of_faces.size());
+    in_parallel(leaves_.size(), of_faces.size(),
+                [&](std::size_t i) { branches[i] = branch(of_faces[i], 0); });
+    Branch whole;
+    std::vector<Leaf> tops;
+    for (std::size_t i = 0; i < branches.size(); ++i) {
+      const std::int32_t root = whole.append(branches[i]);
+      bvh_.face_root_[face_of(of_faces[i].front())] = root;
+      Box3 box;
+      for (const Leaf& l : of_faces[i]) box.add(l.box);
+      tops.push_back({box, box.centre(), static_cast<std::uint32_t>(root)});
+    }
+    if (!tops.empty()) {
+      const auto root_of_face = [](std::span<Leaf> top, Branch&) {
+        return static_cast<std::int32_t>(top[0].index);
+      };
+      bvh_.root_ = split(tops, root_of_face, 1, whole);
+    }
+    bvh_.nodes_ = std::move(whole.nodes);
   }
 
  private:
@@ -97,26 +113,77 @@ class FacetBvhBuilder {
     Vec3 centre;
     std::uint32_t index;  ///< of a triangle, or of a face's root node
   };
-  using MakeLeaf = std::int32_t (FacetBvhBuilder::*)(std::span<Leaf>);
+  /// A subtree with nodes of its own; the last one is its root.
+  struct Branch {
+    std::vector<FacetBvh::Node> nodes;
 
-  void fill_items() {
-    for (std::uint32_t i = 0; i < facets_.triangles.size(); ++i) {
-      const auto& t = facets_.triangles[i];
+    std::int32_t add(std::span<const Leaf> leaves, std::int32_t first, std::int32_t second) {
       Box3 box;
-      for (const auto node : t) box.add(facets_.nodes[node]);
-      const double grow = bvh_.grow_[i];
-      order_.push_back({box.grown(grow), box.centre(), i});
-      bvh_.max_grow_ = std::max(bvh_.max_grow_, grow);
+      for (const Leaf& l : leaves) box.add(l.box);
+      nodes.push_back({rounded(box), first, second});
+      return static_cast<std::int32_t>(nodes.size() - 1);
     }
-    std::stable_sort(order_.begin(), order_.end(), [&](const Leaf& a, const Leaf& b) {
-      return facets_.face[a.index] < facets_.face[b.index];
-    });
-    bvh_.items_.reserve(order_.size());
+    /// Its root among the nodes here.
+    std::int32_t append(const Branch& other) {
+      const auto offset = static_cast<std::int32_t>(nodes.size());
+      nodes.insert(nodes.end(), other.nodes.begin(), other.nodes.end());
+      for (std::size_t i = offset; i < nodes.size(); ++i) {
+        if (nodes[i].second < 0) continue;
+        nodes[i].first += offset;
+        nodes[i].second += offset;
+      }
+      return static_cast<std::int32_t>(nodes.size() - 1);
+    }
+  };
+  /// Leaves built by one task; fewer in all are built without any.
+  static constexpr std::size_t kTask = 8192;
+  static constexpr std::size_t kMostItems = 4;  // of a leaf node
+  static constexpr int kDeep = 40;
+
+  template <class Body>
+  static void in_parallel(std::size_t leaves, std::size_t n, const Body& body) {
+    if (leaves > kTask) {
+      tbb::parallel_for(std::size_t{0}, n, body);
+    } else {
+      for (std::size_t i = 0; i < n; ++i) body(i);
+    }
   }
 
-  std::int32_t leaf(std::span<Leaf> leaves) {
-    const auto first = static_cast<std::int32_t>(bvh_.items_.size());
-    for (const Leaf& l : leaves) {
+  [[nodiscard]] int face_of(const Leaf& leaf) const { return facets_.face[leaf.index]; }
+
+  void fill_leaves() {
+    leaves_.resize(facets_.triangles.size());
+    in_parallel(leaves_.size(), leaves_.size(), [&](std::size_t i) {
+      Box3 box;
+      for (const auto node : facets_.triangles[i]) box.add(facets_.nodes[node]);
+      leaves_[i] = {box.grown(bvh_.grow_[i]), box.centre(), static_cast<std::uint32_t>(i)};
+    });
+    for (const double grow : bvh_.grow_) bvh_.max_grow_ = std::max(bvh_.max_grow_, grow);
+    std::stable_sort(leaves_.begin(), leaves_.end(),
+                     [&](const Leaf& a, const Leaf& b) { return face_of(a) < face_of(b); });
+  }
+
+  Branch branch(std::span<Leaf> leaves, int depth) {
+    Branch result;
+    if (leaves.size() <= kTask) {
+      const auto items_of = [this](std::span<Leaf> few, Branch& nodes) { return make_items(few, nodes); };
+      split(leaves, items_of, kMostItems, result, depth);
+      return result;
+    }
+    const std::size_t middle = cut(leaves, depth);
+    Branch right;
+    tbb::parallel_invoke([&] { result = branch(leaves.first(middle), depth + 1); },
+                         [&] { right = branch(leaves.subspan(middle), depth + 1); });
+    const auto first = static_cast<std::int32_t>(result.nodes.size() - 1);
+    const std::int32_t second = result.append(right);
+    result.add(leaves, first, second);
+    return result;
+  }
+
+  std::int32_t make_items(std::span<Leaf> leaves, Branch& branch) {
+    const std::ptrdiff_t first = leaves.data() - leaves_.data();
+    for (std::size_t i = 0; i < leaves.size(); ++i) {
+      const Leaf& l = leaves[i];
       const auto& t = facets_.triangles[l.index];
       FacetBvh::Item item{rounded(l.box),
                           facets_.nodes[t[0]],
@@ -127,12 +194,10 @@ class FacetBvhBuilder {
                           l.index};
       const Vec3 n = (item.b - item.a).cross(item.c - item.a);
       if (n.squaredNorm() > 0.0) item.normal = n.normalized();
-      bvh_.items_.push_back(item);
+      bvh_.items_[static_cast<std::size_t>(first) + i] = item;
     }
-    return add_node(leaves, first, -static_cast<std::int32_t>(leaves.size()));
+    return branch.add(leaves, static_cast<std::int32_t>(first), -static_cast<std::int32_t>(leaves.size()));
   }
-
-  std::int32_t child(std::span<Leaf> leaves) { return static_cast<std::int32_t>(leaves[0].index); }
 
   static FacetBvh::FloatBox rounded(const Box3& box) {
     FacetBvh::FloatBox result;
@@ -143,20 +208,19 @@ class FacetBvhBuilder {
     return result;
   }
 
-  std::int32_t add_node(std::span<const Leaf> leaves, std::int32_t first, std::int32_t second) {
-    Box3 box;
-    for (const Leaf& l : leaves) box.add(l.box);
-    bvh_.nodes_.push_back({rounded(box), first, second});
-    return static_cast<std::int32_t>(bvh_.nodes_.size() - 1);
+  template <class MakeLeaf>
+  static std::int32_t split(std::span<Leaf> leaves, const MakeLeaf& make_leaf, std::size_t most,
+                            Branch& branch, int depth = 0) {
+    if (leaves.size() <= most) return make_leaf(leaves, branch);
+    const std::size_t middle = cut(leaves, depth);
+    const std::int32_t left = split(leaves.first(middle), make_leaf, most, branch, depth + 1);
+    const std::int32_t right = split(leaves.subspan(middle), make_leaf, most, branch, depth + 1);
+    return branch.add(leaves, left, right);
   }
 
-  std::int32_t split(std::span<Leaf> leaves, MakeLeaf make_leaf, std::size_t most, int depth = 0) {
-    if (leaves.size() <= most) return (this->*make_leaf)(leaves);
-    // Below this depth halving keeps the traversal stack bounded whatever the input.
-    const std::size_t middle = depth < 40 ? cheapest_cut(leaves) : halve(leaves);
-    const std::int32_t left = split(leaves.first(middle), make_leaf, most, depth + 1);
-    const std::int32_t right = split(leaves.subspan(middle), make_leaf, most, depth + 1);
-    return add_node(leaves, left, right);
+  /// Below some depth halving keeps the traversal stack bounded whatever the input.
+  static std::size_t cut(std::span<Leaf> leaves, int depth) {
+    return depth < kDeep ? cheapest_cut(leaves) : halve(leaves);
   }
 
   static int longest_axis(const Box3& box) {
@@ -223,7 +287,7 @@ class FacetBvhBuilder {
 
   FacetBvh& bvh_;
   const Facets& facets_;
-  std::vector<Leaf> order_;
+  std::vector<Leaf> leaves_;
 };
 
 FacetBvh::FacetBvh(const Facets& facets, std::span<const double> grow, int faces)

@@ -16,12 +16,25 @@ namespace octet {
 Seeds seed_points(const Model& model, const Octree& tree, const OctreeVertices& vertices,
                   const OctreeLabels& labels, const std::vector<OctantEdgeCut>& cuts,
                   const SeedOptions& options) {
-  SeedState state(model, tree, options.size);
-  seed_model_vertices(state);
-  seed_model_edges(state);
-  seed_model_faces(state, cuts, options.cancelled);
-  seed_octree_vertices(state, vertices, labels, options);
-  return std::move(state.seeds);
+  Seeder seeder(model, tree, options);
+  seeder.seed_boundary(cuts);
+  return seeder.seed_octree(vertices, labels);
+}
+
+Seeder::Seeder(const Model& model, const Octree& tree, const SeedOptions& options)
+    : options_(options), state_(std::make_unique<SeedState>(model, tree, options.size)) {}
+
+Seeder::~Seeder() = default;
+
+void Seeder::seed_boundary(const std::vector<OctantEdgeCut>& cuts) {
+  seed_model_vertices(*state_);
+  seed_model_edges(*state_);
+  seed_model_faces(*state_, cuts, options_.cancelled);
+}
+
+Seeds Seeder::seed_octree(const OctreeVertices& vertices, const OctreeLabels& labels) {
+  seed_octree_vertices(*state_, vertices, labels, options_);
+  return std::move(state_->seeds);
 }
 
 void seed_model_vertices(SeedState& state) {

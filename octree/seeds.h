@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "base/seed_points.h"
@@ -26,8 +27,27 @@ struct SeedOptions {
   std::function<bool()> cancelled = {};  ///< as in cut_octant_edges()
 };
 
-/// Points by priority: model vertices, model edges, faces (cuts), octree vertices [Schroeder & Shephard 1990,
-/// "Octant element generation"; Handbook 15.5.2.2; departures in docs/ARCHITECTURE.md].
+struct SeedState;
+
+/// Points by priority, in two steps: those on the boundary (model vertices, model edges, faces), then the
+/// octree's vertices [Schroeder & Shephard 1990, "Octant element generation"; Handbook 15.5.2.2; departures
+/// in docs/ARCHITECTURE.md]. `model` and `tree` are referred to until the second step.
+class Seeder {
+ public:
+  Seeder(const Model& model, const Octree& tree, const SeedOptions& options);
+  ~Seeder();
+  Seeder(const Seeder&) = delete;
+  Seeder& operator=(const Seeder&) = delete;
+
+  void seed_boundary(const std::vector<OctantEdgeCut>& cuts);
+  [[nodiscard]] Seeds seed_octree(const OctreeVertices& vertices, const OctreeLabels& labels);
+
+ private:
+  SeedOptions options_;
+  std::unique_ptr<SeedState> state_;
+};
+
+/// Both steps.
 [[nodiscard]] Seeds seed_points(const Model& model, const Octree& tree, const OctreeVertices& vertices,
                                 const OctreeLabels& labels, const std::vector<OctantEdgeCut>& cuts,
                                 const SeedOptions& options);

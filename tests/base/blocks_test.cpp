@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <stdexcept>
+#include <thread>
 #include <vector>
 
 #include "base/bucket_sort.h"
@@ -26,6 +28,21 @@ TEST(ParallelBlocks, CollectKeepsTheOrderWhateverTheBlock) {
 TEST(ParallelBlocks, JoinedListsFollowEachOther) {
   EXPECT_EQ(joined<int>({{1, 2}, {}, {3}, {4, 5, 6}, {}}), (std::vector{1, 2, 3, 4, 5, 6}));
   EXPECT_TRUE(joined<int>({}).empty());
+}
+
+TEST(RunBoth, RunsTheFirstOnTheCallersThread) {
+  std::thread::id here;
+  int other = 0;
+  run_both([&] { here = std::this_thread::get_id(); }, [&] { other = 1; });
+  EXPECT_EQ(here, std::this_thread::get_id());
+  EXPECT_EQ(other, 1);
+}
+
+TEST(RunBoth, ThrowsWhatOneOfThemThrows) {
+  const auto fail = [] { throw std::runtime_error("no"); };
+  const auto pass = [] {};
+  EXPECT_THROW(run_both(fail, pass), std::runtime_error);
+  EXPECT_THROW(run_both(pass, fail), std::runtime_error);
 }
 
 /// More buckets than one task has, some of them empty, the first and the last among them.

@@ -4,7 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <oneapi/tbb/global_control.h>
+
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "tests/geom/sample_models.h"
@@ -129,6 +132,54 @@ TEST(FacetBvh, SegmentVisitsNoTriangleThatItPassesBeside) {
     EXPECT_EQ(visited(Vec3(8, 8.3, 0) - d, Vec3(8, 8.3, 0) + d), Set{1});
     EXPECT_EQ(visited(Vec3(8, 7.1, 0) - d, Vec3(8, 7.1, 0) + d), Set{});
     EXPECT_EQ(visited(Vec3(8, 7.2 - 0.9 * grow, 0) - d, Vec3(8, 7.2 - 0.9 * grow, 0) + d), Set{0});
+  }
+}
+
+/// A grid of 80 000 triangles on a wavy sheet, on two faces: more than one task builds.
+Facets wavy_sheet() {
+  constexpr std::uint32_t kSide = 200;
+  Facets f;
+  for (std::uint32_t j = 0; j <= kSide; ++j)
+    for (std::uint32_t i = 0; i <= kSide; ++i) f.nodes.emplace_back(i, j, 5.0 * std::sin(0.1 * i + 0.07 * j));
+  for (std::uint32_t j = 0; j < kSide; ++j)
+    for (std::uint32_t i = 0; i < kSide; ++i) {
+      const std::uint32_t a = j * (kSide + 1) + i, b = a + 1, c = b + kSide, d = c + 1;
+      f.triangles.push_back({a, b, d});
+      f.triangles.push_back({a, d, c});
+      f.face.insert(f.face.end(), 2, i % 3 == 0 ? 1 : 2);
+    }
+  return f;
+}
+
+TEST(FacetBvh, OfManyTrianglesIsBuiltAlikeByAnyNumberOfThreads) {
+  const Facets f = wavy_sheet();
+  const std::vector<double> grow(f.triangles.size(), 0.01);
+  const FacetBvh bvh(f, grow, 2);
+  const auto order_of = [&f](const FacetBvh& tree) {
+    std::vector<std::uint32_t> order;
+    tree.visit_within(Vec3(100, 100, 0), 1e3, 0,
+                      [&](const FacetFoot& foot) { order.push_back(foot.triangle); });
+    EXPECT_EQ(order.size(), f.triangles.size());
+    return order;
+  };
+  {
+    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+    EXPECT_EQ(order_of(FacetBvh(f, grow, 2)), order_of(bvh));
+  }
+  Dice dice(7);
+  for (int n = 0; n < 30; ++n) {
+    const Vec3 p(dice(-20.0, 220.0), dice(-20.0, 220.0), dice(-20.0, 20.0));
+    for (const int face : {0, 1, 2}) {
+      double best = 1e9;
+      for (std::size_t t = 0; t < f.triangles.size(); ++t) {
+        const auto& v = f.triangles[t];
+        if (face == 0 || f.face[t] == face)
+          best = std::min(best, closest_on_triangle(p, f.nodes[v[0]], f.nodes[v[1]], f.nodes[v[2]]).distance);
+      }
+      const auto near = bvh.nearest(p, 1e9, face);
+      ASSERT_TRUE(near.has_value());
+      ASSERT_NEAR(near->distance, best, 1e-12);
+    }
   }
 }
 

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace octet {
 namespace {
@@ -42,6 +44,27 @@ TEST(Quality, FlatAndTurnedTetrahedraAreWorthNothing) {
   EXPECT_EQ(aspect(c[0], c[1], c[2], flat), 0.0);
   EXPECT_EQ(radius_ratio(c[1], c[0], c[2], c[3]), 0.0);
   EXPECT_EQ(aspect(c[1], c[0], c[2], c[3]), 0.0);
+}
+
+/// Corners of cubes of all heights, the flat ones first or last: a sample sees the list as it is or not at
+/// all.
+TEST(Quality, TheFirstPercentileOfManyIsThatOfASortedList) {
+  constexpr std::size_t kCount = 20'000;
+  for (const std::size_t stride : {std::size_t{1}, std::size_t{7919}, std::size_t{64}}) {
+    Mesh mesh;
+    std::vector<double> angles;
+    for (std::size_t i = 0; i < kCount; ++i) {
+      const std::size_t n = stride == 64 ? (i % 64 == 0 ? kCount : i) : i * stride % kCount;
+      const double height = 0.001 + static_cast<double>(n) / kCount;
+      const auto first = static_cast<Mesh::Index>(mesh.points.size());
+      for (Vec3 p : cube_corner()) mesh.points.push_back(p.cwiseProduct(Vec3(1, 1, height)));
+      mesh.tets.push_back({first, first + 1, first + 2, first + 3});
+      const Vec3* p = &mesh.points[first];
+      angles.push_back(dihedral_range(p[0], p[1], p[2], p[3]).smallest);
+    }
+    std::sort(angles.begin(), angles.end());
+    EXPECT_NEAR(quality_summary(mesh).p1_min_dihedral, angles[kCount / 100], 1e-12) << stride;
+  }
 }
 
 }  // namespace
