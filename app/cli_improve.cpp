@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `octet improve`: better shapes for a classified mesh from anywhere.
 #include <fmt/format.h>
+#include <oneapi/tbb/global_control.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -35,6 +36,8 @@ ImproveOptions improve_options(const ImproveCommand& command, const LengthUnit& 
   }
   options.threads =
       command.threads.value_or(static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
+  if (options.threads < 1)
+    throw InputError(fmt::format("--threads must be at least 1, not {}", options.threads));
   return options;
 }
 
@@ -50,6 +53,8 @@ int run_improve(const ImproveCommand& command) {
   console_options.progress = !command.quiet && ::isatty(STDERR_FILENO) != 0;
   console_options.notes = command.verbose;
   Console console(console_options);
+  const tbb::global_control most_threads(tbb::global_control::max_allowed_parallelism,
+                                         static_cast<std::size_t>(options.threads));
   Mesh mesh = read_mesh(command.mesh);
   // A factor of exactly 1 leaves the coordinates as they are.
   for (Vec3& p : mesh.points) p *= unit.millimetres;

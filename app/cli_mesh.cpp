@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `octet mesh`: every cheap way to fail is tried before the part is read.
 #include <fmt/format.h>
+#include <oneapi/tbb/global_control.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -116,6 +117,8 @@ int run_mesh(const MeshCommand& command) {
   const MeshOptions options = mesh_options(command, unit);
   const MeshFormat format = mesh_format(command.output, command.format);
   check_outputs(command);
+  const tbb::global_control most_threads(tbb::global_control::max_allowed_parallelism,
+                                         static_cast<std::size_t>(options.threads));
   const RunNames names{command.part.string(), command.output.string(), unit.name};
   try {
     return mesh_to_file(command, options, unit, names, format);

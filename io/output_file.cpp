@@ -14,6 +14,8 @@ namespace octet {
 namespace {
 
 constexpr std::size_t kBufferSize = std::size_t{1} << 20;
+/// What is written without being gathered first.
+constexpr std::size_t kLarge = std::size_t{1} << 16;
 constexpr int kNamesTried = 1000;
 
 }  // namespace
@@ -59,8 +61,8 @@ OutputFile::~OutputFile() {
 }
 
 void OutputFile::write(const void* bytes, std::size_t count) {
-  if (buffer_.size() + count > kBufferSize) flush();
-  if (count <= kBufferSize) {
+  if (count >= kLarge || buffer_.size() + count > kBufferSize) flush();
+  if (count < kLarge) {
     buffer_.append(static_cast<const char*>(bytes), count);
   } else if (std::fwrite(bytes, 1, count, file_) != count) {
     fail("writing failed", errno);

@@ -47,6 +47,17 @@ TEST(MeshCommand, MeshesTheBracketCompletely) {
   EXPECT_EQ(out.names(), (std::vector<std::string>{"a.json", "a.msh"}));
 }
 
+/// Reading and writing included.
+TEST(MeshCommand, OneThreadKeepsToOneCore) {
+  const TemporaryDirectory out;
+  const auto run = mesh_bracket(
+      out.file("a.msh"), {"--threads", "1", "--size", "1.5", "--fast", "--report", out.file("a.json")});
+  ASSERT_EQ(run.exit_code, kExitComplete) << run.out << run.err;
+  const Json report = Json::parse(read_bytes(out.file("a.json")));
+  for (const Json& stage : report["times"])
+    EXPECT_LE(stage["cpu_seconds"].get<double>(), stage["seconds"].get<double>() + 1e-3) << stage;
+}
+
 TEST(MeshCommand, SameBytesFromTwoRunsAndFromOneAndTwoThreads) {
   const TemporaryDirectory out;
   ASSERT_EQ(mesh_bracket(out.file("a.msh"), {"--threads", "1"}).exit_code, kExitComplete);
