@@ -21,6 +21,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <benchmark/benchmark.h>
@@ -69,6 +70,12 @@ std::vector<std::pair<Vec3, Vec3>> octant_edges(const Model& model) {
   return edges;
 }
 
+/// Whether OCCT, too, has to search for a foot.
+bool is_free_form(std::string_view kind) {
+  constexpr std::string_view kClosed[] = {"plane", "cylinder", "cone", "sphere", "torus"};
+  return std::find(std::begin(kClosed), std::end(kClosed), kind) == std::end(kClosed);
+}
+
 /// A part, the questions, and OCCT's classes ready to answer.
 struct Bench {
   explicit Bench(const std::filesystem::path& path) : part(read_with_shape(path)) {
@@ -85,7 +92,9 @@ struct Bench {
       const Vec2 seed = (facets.uv[t][0] + facets.uv[t][1] + facets.uv[t][2]) / 3.0;
       const Vec3 away = Vec3(random.unit(), random.unit(), random.unit()) - Vec3::Constant(0.5);
       const int face = facets.face[t];
-      footings.push_back({face, part.model.face_jet(face, seed, 0).p + 0.2 * h * away, seed});
+      const Footing footing{face, part.model.face_jet(face, seed, 0).p + 0.2 * h * away, seed};
+      footings.push_back(footing);
+      if (is_free_form(part.model.surface(face).kind())) free_footings.push_back(footing);
       const int edge = 1 + static_cast<int>(random.unit() * part.model.count(1));
       if (part.model.edge(edge).use == EdgeUse::kDegenerate) continue;
       const int axis = i % 3;
@@ -121,7 +130,7 @@ struct Bench {
   PartAndShape part;
   std::vector<std::pair<Vec3, Vec3>> segments;
   std::vector<Vec3> points;
-  std::vector<Footing> footings;
+  std::vector<Footing> footings, free_footings;  ///< on all faces; on those that are no closed forms
   std::vector<PlaneCut> cuts;
   std::vector<Bnd_Box> boxes;
   std::vector<std::unique_ptr<IntCurvesFace_Intersector>> intersectors;
@@ -167,16 +176,28 @@ void occt_region(Bench& bench, std::size_t i) {
   }
 }
 
-void project(Bench& bench, std::size_t i) {
-  const Footing& f = bench.footings[i % bench.footings.size()];
-  benchmark::DoNotOptimize(bench.part.model.face_project(f.face, f.p, f.seed));
+void project_on(const Bench& bench, const Footing& f) {
+  benchmark::DoNotOptimize(bench.part.model.surface(f.face).project(f.p, f.seed));
 }
 
-void occt_project(Bench& bench, std::size_t i) {
-  const Footing& f = bench.footings[i % bench.footings.size()];
+void occt_project_on(Bench& bench, const Footing& f) {
   Extrema_ExtPS& projector = *bench.projectors[static_cast<std::size_t>(f.face - 1)];
   projector.Perform(gp_Pnt(f.p.x(), f.p.y(), f.p.z()));
   benchmark::DoNotOptimize(projector.IsDone());
+}
+
+void project(Bench& bench, std::size_t i) { project_on(bench, bench.footings[i % bench.footings.size()]); }
+
+void occt_project(Bench& bench, std::size_t i) {
+  occt_project_on(bench, bench.footings[i % bench.footings.size()]);
+}
+
+void free_project(Bench& bench, std::size_t i) {
+  project_on(bench, bench.free_footings[i % bench.free_footings.size()]);
+}
+
+void occt_free_project(Bench& bench, std::size_t i) {
+  occt_project_on(bench, bench.free_footings[i % bench.free_footings.size()]);
 }
 
 void cut(Bench& bench, std::size_t i) {
@@ -202,6 +223,7 @@ struct Pair {
 constexpr Pair kPairs[] = {{"face-segment", intersect, occt_intersect},
                            {"in-out", region, occt_region},
                            {"projection", project, occt_project},
+                           {"on-free-form", free_project, occt_free_project},
                            {"edge-plane", cut, occt_cut}};
 
 /// Keeps the time of every benchmark for the table.
@@ -233,22 +255,25 @@ void add(Bench& bench, const std::string& name, Question question) {
 
 void print_table(const Keeper& keeper, const std::vector<std::string>& parts) {
   std::printf("\n%-34s", "OCCT / ours, CPU time");
-  for (const Pair& pair : kPairs) std::printf("%14s", pair.name);
+  for (const Pair& pair : kPairs) std::printf("%17s", pair.name);
   std::vector<std::vector<double>> ratios(std::size(kPairs));
   for (const std::string& part : parts) {
     std::printf("\n%-34s", part.c_str());
     for (std::size_t k = 0; k < std::size(kPairs); ++k) {
       const auto ours = keeper.cpu(name_of(kPairs[k], part, "octet"));
       const auto theirs = keeper.cpu(name_of(kPairs[k], part, "occt"));
-      if (!ours || !theirs) continue;
+      if (!ours || !theirs) {
+        std::printf("%17s", "-");
+        continue;
+      }
       ratios[k].push_back(*theirs / *ours);
-      std::printf("%14.1f", ratios[k].back());
+      std::printf("%17.1f", ratios[k].back());
     }
   }
   std::printf("\n%-34s", "median");
   for (auto& column : ratios) {
     std::sort(column.begin(), column.end());
-    if (!column.empty()) std::printf("%14.1f", column[column.size() / 2]);
+    if (!column.empty()) std::printf("%17.1f", column[column.size() / 2]);
   }
   std::printf("\n");
 }
@@ -270,6 +295,7 @@ int main(int argc, char** argv) {
     }
     parts.push_back(std::filesystem::path(argv[i]).stem().string());
     for (const Pair& pair : kPairs) {
+      if (pair.ours == free_project && benches.back()->free_footings.empty()) continue;
       add(*benches.back(), name_of(pair, parts.back(), "octet"), pair.ours);
       add(*benches.back(), name_of(pair, parts.back(), "occt"), pair.theirs);
     }
