@@ -32,14 +32,22 @@ std::string fault_lines(const Model& model, const std::vector<Fault>& faults) {
   return text;
 }
 
+/// Of the size asked for: what is smaller than that is hardly worth its elements.
+constexpr double kTinyShare = 0.05;
+
 std::string shortfall_line(const Model& model, const SizeShortfall& shortfall) {
   if (shortfall.shortest.empty()) return {};
   const ShortEdge& worst = shortfall.shortest.front();
+  const std::string advice =
+      worst.length < kTinyShare * worst.asked
+          ? fmt::format(" -> --defeature {:.2g} takes features away that are no larger, where it can",
+                        2.0 * worst.length)
+          : std::string();
   return fmt::format(
       "  {:<9}{} edges of the boundary are shorter than a quarter of the size asked for there: the shortest "
-      "{:.3g} mm of {:.3g}, on {} at {}\n",
+      "{:.3g} mm of {:.3g}, on {} at {}{}\n",
       "short", shortfall.edges, worst.length, worst.asked, model.describe(worst.entity),
-      place_text(worst.place));
+      place_text(worst.place), advice);
 }
 
 /// What reading changed in the part, or could not.

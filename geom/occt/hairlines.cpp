@@ -2,12 +2,9 @@
 // Neighbouring sides of loops that are one line.
 #include "geom/occt/hairlines.h"
 
-#include <BRepAdaptor_Curve.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
-#include <Extrema_ExtPC.hxx>
 #include <ShapeBuild_ReShape.hxx>
-#include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
@@ -18,39 +15,14 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <TopoDS_Wire.hxx>
-#include <gp_Pnt.hxx>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
+
+#include "geom/occt/edge_distance.h"
 
 namespace octet {
 namespace {
-
-constexpr int kSamples = 16;  // along an edge
-
-double distance_to(const gp_Pnt& point, const BRepAdaptor_Curve& curve) {
-  double nearest = std::min(point.Distance(curve.Value(curve.FirstParameter())),
-                            point.Distance(curve.Value(curve.LastParameter())));
-  const Extrema_ExtPC feet(point, curve);
-  if (!feet.IsDone()) return nearest;
-  for (int i = 1; i <= feet.NbExt(); ++i) nearest = std::min(nearest, std::sqrt(feet.SquareDistance(i)));
-  return nearest;
-}
-
-/// How far points of the one are from the other at most; infinite where OCCT cannot tell.
-double apart(const TopoDS_Edge& one, const TopoDS_Edge& other, double enough) {
-  double far = 0.0;
-  try {
-    const BRepAdaptor_Curve a(one), b(other);
-    const double first = a.FirstParameter(), last = a.LastParameter();
-    for (int i = 1; i < kSamples && far <= enough; ++i)
-      far = std::max(far, distance_to(a.Value(first + (last - first) * i / kSamples), b));
-  } catch (const Standard_Failure&) {
-    return std::numeric_limits<double>::infinity();
-  }
-  return far;
-}
 
 bool joins_the_same(const TopoDS_Edge& a, const TopoDS_Edge& b) {
   TopoDS_Vertex a0, a1, b0, b1;
@@ -90,7 +62,7 @@ class Closer {
   [[nodiscard]] bool is_hairline(const TopoDS_Edge& a, const TopoDS_Edge& b) const {
     const double width = std::max({width_, BRep_Tool::Tolerance(a), BRep_Tool::Tolerance(b)});
     return !a.IsSame(b) && is_free(a) && is_free(b) && joins_the_same(a, b) &&
-           std::max(apart(a, b, width), apart(b, a, width)) <= width;
+           std::max(edge_distance(a, b, width), edge_distance(b, a, width)) <= width;
   }
 
   void close(const TopoDS_Wire& wire) {
@@ -135,7 +107,7 @@ class Closer {
   void join(const TopoDS_Edge& kept, const TopoDS_Edge& gone) {
     touched_.Add(kept);
     touched_.Add(gone);
-    BRep_Builder().UpdateEdge(kept, apart(gone, kept, std::numeric_limits<double>::infinity()));
+    BRep_Builder().UpdateEdge(kept, edge_distance(gone, kept, std::numeric_limits<double>::infinity()));
     // In the loop the two run against each other.
     changes_->Replace(gone, kept.Reversed());
     gone_.push_back(gone);

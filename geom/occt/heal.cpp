@@ -36,6 +36,7 @@
 #include "geom/occt/hairlines.h"
 #include "geom/occt/imprint.h"
 #include "geom/occt/misplaced_curves.h"
+#include "geom/occt/rings.h"
 #include "geom/occt/sew.h"
 #include "geom/occt/shape_box.h"
 #include "geom/occt/short_edges.h"
@@ -258,7 +259,10 @@ class Healer {
     adopt(solid, shrink_spots(solid, smallest_of(solid)), 2,
           "are no larger than " + smallest + " and became vertices");
     adopt(solid, merge_strips(solid, smallest_of(solid)), 2,
-          "are no wider than the tolerance or the gaps of their sides, or than " + smallest + ", and became edges");
+          "are no wider than the tolerance or the gaps of their sides, or than " + smallest +
+              ", and became edges");
+    adopt(solid, merge_rings(solid, smallest_of(solid)), 2,
+          "are rings no wider than " + smallest + " and became edges");
     adopt(solid, drop_short_edges(solid, smallest_of(solid)), 1,
           "are no longer than " + smallest + " and became vertices");
     adopt(solid, split_touched_edges(solid, smallest_of(solid)), 1,

@@ -27,9 +27,9 @@ inline constexpr double kVanishingShare = 1e-7;
 ///  2. a solid whose faces are not turned alike: they are turned as their neighbours;
 ///  3. an open solid: its faces are sewn, with the tolerance (0: growing ones), where that closes it;
 ///  4. faces no wider than the tolerance or the gaps of their sides or the smallest feature become edges,
-///     edges no longer than that vertices; edges that a vertex of their face lies on are split, and sides
-///     that cross within their tolerance, spikes and slits of loops no wider are closed, faces folded flat
-///     onto a neighbour go;
+///     rings no wider than that edges, edges no longer than that vertices; edges that a vertex of their face
+///     lies on are split, and sides that cross within their tolerance, spikes and slits of loops no wider
+///     are closed, faces folded flat onto a neighbour go;
 ///  5. where there are several, a solid turned inside out, so that it fills all space but its hole, is turned
 ///     before they are fused (a single one shows by its facets, which is surer);
 ///  6. edges and vertices of voids that touch the outside of their solid become those of the outside;

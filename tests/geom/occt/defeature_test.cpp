@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
@@ -28,6 +29,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "geom/model_check.h"
@@ -88,6 +90,38 @@ TEST(Defeature, ANarrowFillet) {
   fillet.Add(0.02, first_edge(box));
   expect_counts(read(fillet.Shape(), 0.01), {10, 15, 7}, 1.0, 1e-3);
   expect_counts(read(fillet.Shape(), 0.05), {8, 12, 6}, 1.0, 1e-2);
+}
+
+/// Where a pin stands on a block that is wider by `step` on all sides.
+TopoDS_Shape square_ledge(double step) {
+  const TopoDS_Shape pin =
+      BRepPrimAPI_MakeBox(gp_Pnt(step, step, 1.0), gp_Pnt(1.0 - step, 1.0 - step, 2.0)).Shape();
+  return BRepAlgoAPI_Fuse(block(), pin).Shape();
+}
+
+TopoDS_Shape round_ledge(double step) {
+  const gp_Ax2 top(gp_Pnt(0.0, 0.0, 1.0), gp::DZ(), gp::DX());
+  return BRepAlgoAPI_Fuse(BRepPrimAPI_MakeCylinder(1.0, 1.0).Shape(),
+                          BRepPrimAPI_MakeCylinder(top, 1.0 - step, 1.0).Shape())
+      .Shape();
+}
+
+TEST(Defeature, ANarrowLedgeAllAround) {
+  expect_counts(read(square_ledge(0.01), 0.0), {16, 24, 11}, 1.0 + 0.98 * 0.98, 1e-9);
+  const Model square = read(square_ledge(0.01), 0.02), round = read(round_ledge(0.01), 0.02);
+  expect_counts(square, {12, 20, 10}, 2.0, 0.05);
+  EXPECT_NE(
+      notes_of(square).find("1 face(s) of Solid 1 are rings no wider than 0.02 mm and became edges: Face "),
+      std::string::npos)
+      << notes_of(square);
+  EXPECT_EQ(check_model(square), "");
+  expect_counts(read(round_ledge(0.01), 0.0), {4, 6, 5}, std::numbers::pi * (1.0 + 0.99 * 0.99), 1e-9);
+  expect_counts(round, {3, 5, 4}, 2.0 * std::numbers::pi, 0.15);
+  EXPECT_EQ(check_model(round), "");
+}
+
+TEST(Defeature, ALedgeThatIsAsWideStays) {
+  expect_counts(read(square_ledge(0.1), 0.05), {16, 24, 11}, 1.0 + 0.8 * 0.8, 1e-9);
 }
 
 TEST(Defeature, ASmallFaceAtACorner) {
