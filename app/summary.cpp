@@ -8,6 +8,8 @@
 #include <cmath>
 #include <optional>
 
+#include "geom/tiny_features.h"
+
 namespace octet {
 namespace {
 
@@ -32,17 +34,20 @@ std::string fault_lines(const Model& model, const std::vector<Fault>& faults) {
   return text;
 }
 
-/// Of the size asked for: what is smaller than that is hardly worth its elements.
-constexpr double kTinyShare = 0.05;
+/// Of the size asked for: what is shorter than that is hardly worth its elements.
+constexpr double kTinyShare = 0.1;
 
 std::string shortfall_line(const Model& model, const SizeShortfall& shortfall) {
   if (shortfall.shortest.empty()) return {};
   const ShortEdge& worst = shortfall.shortest.front();
+  const double tiny = 2.0 * worst.length;
+  const std::size_t features = worst.length < kTinyShare * worst.asked ? features_within(model, tiny) : 0;
   const std::string advice =
-      worst.length < kTinyShare * worst.asked
-          ? fmt::format(" -> --defeature {:.2g} takes features away that are no larger, where it can",
-                        2.0 * worst.length)
-          : std::string();
+      features == 0
+          ? std::string()
+          : fmt::format(
+                " -> --defeature {:.2g} takes {} edges and faces away that are no larger, where it can", tiny,
+                features);
   return fmt::format(
       "  {:<9}{} edges of the boundary are shorter than a quarter of the size asked for there: the shortest "
       "{:.3g} mm of {:.3g}, on {} at {}{}\n",

@@ -38,17 +38,28 @@ TinyFeature measured(const Model& model, int tag, const ModelFace& face) {
 
 bool is_tiny(const TinyFeature& feature) { return feature.size <= feature.gap; }
 
+/// Edges, then faces, with their sizes.
+template <class Visit>
+void visit_features(const Model& model, const Visit& visit) {
+  for (int e = 1; e <= model.count(1); ++e)
+    if (model.edge(e).use == EdgeUse::kReal) visit(measured(model, e, model.edge(e)));
+  for (int f = 1; f <= model.count(2); ++f) visit(measured(model, f, model.face(f)));
+}
+
 }  // namespace
 
 std::vector<TinyFeature> tiny_features(const Model& model) {
   std::vector<TinyFeature> features;
-  const auto look = [&](const TinyFeature& feature) {
+  visit_features(model, [&](const TinyFeature& feature) {
     if (is_tiny(feature)) features.push_back(feature);
-  };
-  for (int e = 1; e <= model.count(1); ++e)
-    if (model.edge(e).use == EdgeUse::kReal) look(measured(model, e, model.edge(e)));
-  for (int f = 1; f <= model.count(2); ++f) look(measured(model, f, model.face(f)));
+  });
   return features;
+}
+
+std::size_t features_within(const Model& model, double length) {
+  std::size_t count = 0;
+  visit_features(model, [&](const TinyFeature& feature) { count += feature.size <= length ? 1 : 0; });
+  return count;
 }
 
 bool is_sliver(const Model& model, int face) { return is_tiny(measured(model, face, model.face(face))); }

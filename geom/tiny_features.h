@@ -2,6 +2,7 @@
 // Edges and faces that are no larger than the CAD knows where they are.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "geom/model.h"
@@ -21,7 +22,10 @@ struct TinyFeature {
 /// sides. Ascending by dimension and tag.
 [[nodiscard]] std::vector<TinyFeature> tiny_features(const Model& model);
 
-/// The same for one face.
+/// Real edges no longer, and faces no wider, than `length`.
+[[nodiscard]] std::size_t features_within(const Model& model, double length);
+
+/// As tiny_features() for one face.
 [[nodiscard]] bool is_sliver(const Model& model, int face);
 
 }  // namespace octet

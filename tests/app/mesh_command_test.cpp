@@ -3,6 +3,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepTools.hxx>
+
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -45,6 +49,26 @@ TEST(MeshCommand, MeshesTheBracketCompletely) {
             std::string::npos)
       << run.out;
   EXPECT_EQ(out.names(), (std::vector<std::string>{"a.json", "a.msh"}));
+}
+
+TEST(MeshCommand, SaysWhichLengthToDefeatureBy) {
+  const TemporaryDirectory out;
+  const TopoDS_Shape block = BRepPrimAPI_MakeBox(10.0, 10.0, 10.0).Shape();
+  const gp_Pnt low(0.006, 0.006, 10.0), high(9.994, 9.994, 12.0);
+  const std::string part = out.file("ledge.brep");
+  ASSERT_TRUE(BRepTools::Write(BRepAlgoAPI_Fuse(block, BRepPrimAPI_MakeBox(low, high).Shape()).Shape(),
+                               part.c_str()));
+  const auto as_it_is = run_octet({"mesh", part, "-o", out.file("a.msh"), "--size", "3"});
+  EXPECT_EQ(as_it_is.exit_code, kExitComplete) << as_it_is.out;
+  const std::string option = "--defeature ";
+  const std::size_t at = as_it_is.out.find(option);
+  ASSERT_NE(at, std::string::npos) << as_it_is.out;
+  const std::string length = as_it_is.out.substr(
+      at + option.size(), as_it_is.out.find(' ', at + option.size()) - at - option.size());
+  const auto after = run_octet({"mesh", part, "-o", out.file("b.msh"), "--size", "3", "--defeature", length});
+  EXPECT_EQ(after.exit_code, kExitComplete) << after.out;
+  EXPECT_NE(after.out.find("became edges"), std::string::npos) << after.out;
+  EXPECT_EQ(after.out.find(option), std::string::npos) << after.out;
 }
 
 /// Reading and writing included.

@@ -83,6 +83,13 @@ TopoDS_Shape box_with_a_strip() {
   return BRepBuilderAPI_MakeSolid(shell).Solid();
 }
 
+TEST(TinyFeatures, EdgesAndFacesWithinALengthAreCounted) {
+  const Model plate = model_from_shape(BRepPrimAPI_MakeBox(10.0, 5.0, 0.1).Shape());
+  EXPECT_EQ(features_within(plate, 0.09), 0u);
+  EXPECT_EQ(features_within(plate, 0.11), 8u);  // four edges across, four faces beside
+  EXPECT_EQ(features_within(plate, 10.1), 18u);
+}
+
 TEST(TinyFeatures, AnOrdinaryPartHasNone) {
   EXPECT_TRUE(tiny_features(model_from_shape(BRepPrimAPI_MakeBox(1.0, 2.0, 3.0).Shape())).empty());
 }
