@@ -100,7 +100,8 @@ FacetBvh surface_tree(const Mesh& mesh, const Model& model) {
   surface.nodes = mesh.points;
   for (const auto& t : mesh.triangles) surface.triangles.push_back({t[0], t[1], t[2]});
   surface.face = mesh.triangle_on;
-  return {surface, std::vector<double>(surface.triangles.size(), model.tolerance()), model.count(2)};
+  return {surface, std::vector<double>(surface.triangles.size(), model.tolerance()), model.count(2),
+          FacetBvh::Building::kManyThreads};
 }
 
 std::vector<EdgePieceRef> sorted_pieces(const Mesh& mesh) {

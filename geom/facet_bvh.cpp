@@ -74,7 +74,10 @@ FacetFoot closest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const
 /// Builds the subtrees of the faces, then the tree that joins them: both by a binned surface area heuristic.
 class FacetBvhBuilder {
  public:
-  FacetBvhBuilder(FacetBvh& bvh, const Facets& facets) : bvh_(bvh), facets_(facets) {}
+  FacetBvhBuilder(FacetBvh& bvh, const Facets& facets, FacetBvh::Building building)
+      : bvh_(bvh),
+        facets_(facets),
+        in_tasks_(building == FacetBvh::Building::kManyThreads && facets.triangles.size() > kTask) {}
 
   void build(int faces) {
     fill_leaves();
@@ -87,8 +90,7 @@ class FacetBvhBuilder {
       of_faces.push_back(std::span(leaves_).subspan(begin, end - begin));
     }
     std::vector<Branch> branches(of_faces.size());
-    in_parallel(leaves_.size(), of_faces.size(),
-                [&](std::size_t i) { branches[i] = branch(of_faces[i], 0); });
+    for_each(of_faces.size(), [&](std::size_t i) { branches[i] = branch(of_faces[i], 0); });
     Branch whole;
     std::vector<Leaf> tops;
     for (std::size_t i = 0; i < branches.size(); ++i) {
@@ -135,14 +137,14 @@ class FacetBvhBuilder {
       return static_cast<std::int32_t>(nodes.size() - 1);
     }
   };
-  /// Leaves built by one task; fewer in all are built without any.
+  /// Leaves built by one task.
   static constexpr std::size_t kTask = 8192;
   static constexpr std::size_t kMostItems = 4;  // of a leaf node
   static constexpr int kDeep = 40;
 
   template <class Body>
-  static void in_parallel(std::size_t leaves, std::size_t n, const Body& body) {
-    if (leaves > kTask) {
+  void for_each(std::size_t n, const Body& body) const {
+    if (in_tasks_) {
       tbb::parallel_for(std::size_t{0}, n, body);
     } else {
       for (std::size_t i = 0; i < n; ++i) body(i);
@@ -153,7 +155,7 @@ class FacetBvhBuilder {
 
   void fill_leaves() {
     leaves_.resize(facets_.triangles.size());
-    in_parallel(leaves_.size(), leaves_.size(), [&](std::size_t i) {
+    for_each(leaves_.size(), [&](std::size_t i) {
       Box3 box;
       for (const auto node : facets_.triangles[i]) box.add(facets_.nodes[node]);
       leaves_[i] = {box.grown(bvh_.grow_[i]), box.centre(), static_cast<std::uint32_t>(i)};
@@ -165,7 +167,7 @@ class FacetBvhBuilder {
 
   Branch branch(std::span<Leaf> leaves, int depth) {
     Branch result;
-    if (leaves.size() <= kTask) {
+    if (!in_tasks_ || leaves.size() <= kTask) {
       const auto items_of = [this](std::span<Leaf> few, Branch& nodes) { return make_items(few, nodes); };
       split(leaves, items_of, kMostItems, result, depth);
       return result;
@@ -287,13 +289,14 @@ class FacetBvhBuilder {
 
   FacetBvh& bvh_;
   const Facets& facets_;
+  bool in_tasks_;
   std::vector<Leaf> leaves_;
 };
 
-FacetBvh::FacetBvh(const Facets& facets, std::span<const double> grow, int faces)
+FacetBvh::FacetBvh(const Facets& facets, std::span<const double> grow, int faces, Building building)
     : grow_(grow.begin(), grow.end()) {
   OCTET_CHECK(grow.size() == facets.triangles.size());
-  FacetBvhBuilder(*this, facets).build(faces);
+  FacetBvhBuilder(*this, facets, building).build(faces);
 }
 
 FacetBvh::Probe::Probe(const Vec3& from, const Vec3& to) : p(from), q(to) {

@@ -59,8 +59,12 @@ class FacetBvh {
   };
 
   FacetBvh() = default;
-  /// `grow`: per triangle, how far the exact boundary may lie from it. Faces are numbered 1..faces.
-  FacetBvh(const Facets& facets, std::span<const double> grow, int faces);
+  /// Reading a part starts no threads: with one alone its child process is forked.
+  enum class Building { kOneThread, kManyThreads };
+  /// `grow`: per triangle, how far the exact boundary may lie from it. Faces are numbered 1..faces. The tree
+  /// is the same whatever the building.
+  FacetBvh(const Facets& facets, std::span<const double> grow, int faces,
+           Building building = Building::kOneThread);
 
   /// Calls visit(triangle) for each triangle that the segment meets, grown; a few more near its corners.
   template <class Visit>
