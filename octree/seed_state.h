@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the steps of seed_points() share: the points so far and what keeps them apart.
+// What the steps of Seeder share: the points so far and what keeps them apart.
 #pragma once
 
 #include "geom/edge_match.h"

@@ -13,14 +13,6 @@
 
 namespace octet {
 
-Seeds seed_points(const Model& model, const Octree& tree, const OctreeVertices& vertices,
-                  const OctreeLabels& labels, const std::vector<OctantEdgeCut>& cuts,
-                  const SeedOptions& options) {
-  Seeder seeder(model, tree, options);
-  seeder.seed_boundary(cuts);
-  return seeder.seed_octree(vertices, labels);
-}
-
 Seeder::Seeder(const Model& model, const Octree& tree, const SeedOptions& options)
     : options_(options), state_(std::make_unique<SeedState>(model, tree, options.size)) {}
 

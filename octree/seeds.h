@@ -47,9 +47,4 @@ class Seeder {
   std::unique_ptr<SeedState> state_;
 };
 
-/// Both steps.
-[[nodiscard]] Seeds seed_points(const Model& model, const Octree& tree, const OctreeVertices& vertices,
-                                const OctreeLabels& labels, const std::vector<OctantEdgeCut>& cuts,
-                                const SeedOptions& options);
-
 }  // namespace octet

@@ -10,6 +10,7 @@
 #include "base/vertex_order.h"
 #include "geom/analytic.h"
 #include "octree/seeds.h"
+#include "tests/support/seed_points.h"
 
 namespace octet {
 namespace {
@@ -26,7 +27,7 @@ class Bench {
     const OctantTypes types = octant_types(model, tree);
     const std::vector<OctantEdgeCut> cuts = cut_octant_edges(model, tree, vertices, types);
     const OctreeLabels labels = label_vertices(model, tree, vertices, types, cuts);
-    seeds_ = seed_points(model, tree, vertices, labels, cuts, {size});
+    seeds_ = test::seed_points(model, tree, vertices, labels, cuts, {size});
   }
 
   /// Keeps the points for which keep(position, on) holds; edge points are always kept.

@@ -11,6 +11,7 @@
 #include "geom/analytic.h"
 #include "mesh/quality.h"
 #include "mesh/soundness.h"
+#include "tests/support/seed_points.h"
 
 namespace octet {
 namespace {
@@ -25,7 +26,7 @@ struct SplitBall {
     const OctantTypes types = octant_types(model, tree);
     const std::vector<OctantEdgeCut> cuts = cut_octant_edges(model, tree, vertices, types);
     labels = label_vertices(model, tree, vertices, types, cuts);
-    seeds = seed_points(model, tree, vertices, labels, cuts, {size});
+    seeds = test::seed_points(model, tree, vertices, labels, cuts, {size});
     split = split_interior(model, tree, vertices, labels, seeds, size);
   }
   Model model = analytic_ball(0.5);

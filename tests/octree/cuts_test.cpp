@@ -10,6 +10,7 @@
 #include "octree/octant_edges.h"
 #include "octree/seeds.h"
 #include "tests/octree/labelled_models.h"
+#include "tests/support/seed_points.h"
 
 namespace octet {
 namespace {
@@ -47,7 +48,7 @@ TEST(OctantEdgeCuts, TheSearchEndsWhenCancelled) {
   EXPECT_THROW((void)cut_octant_edges(model, l.tree, l.vertices, l.types, [] { return true; }), Cancelled);
   SeedOptions never{1.0 / 4};
   never.cancelled = [] { return true; };
-  EXPECT_THROW((void)seed_points(model, l.tree, l.vertices, l.labels, l.cuts, never), Cancelled);
+  EXPECT_THROW((void)test::seed_points(model, l.tree, l.vertices, l.labels, l.cuts, never), Cancelled);
 }
 
 TEST(OctantEdgeCuts, OfABoxLieOnItsPlanes) {

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "geom/analytic.h"
+#include "tests/support/seed_points.h"
 
 namespace octet {
 namespace {
@@ -26,7 +27,7 @@ Stage seed(const Model& model, double size) {
   const OctantTypes types = octant_types(model, tree);
   const std::vector<OctantEdgeCut> cuts = cut_octant_edges(model, tree, vertices, types);
   OctreeLabels labels = label_vertices(model, tree, vertices, types, cuts);
-  Seeds seeds = seed_points(model, tree, vertices, labels, cuts, {size});
+  Seeds seeds = test::seed_points(model, tree, vertices, labels, cuts, {size});
   return {std::move(tree), std::move(vertices), std::move(labels), std::move(seeds)};
 }
 
