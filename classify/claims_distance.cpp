@@ -126,12 +126,7 @@ class SurfaceSampler {
   [[nodiscard]] FarPlace distance_at(int face, const Vec3& p) const {
     const auto near = in_.surface.nearest(p, std::numeric_limits<double>::infinity(), face);
     if (!near) return {0.0, 0.0, p};
-    // Beside a gap of the CAD the mesh ends where the edge runs, which is off the face.
-    const auto& triangle = in_.mesh.triangles[near->triangle];
-    double gap = 0.0;
-    for (const Mesh::Index v : triangle)
-      if (in_.mesh.point_on[v].dim < 2) gap = std::max(gap, in_.model.tolerance_of(in_.mesh.point_on[v]));
-    return {std::max(0.0, near->distance - gap) / in_.longest_side(triangle), near->distance, p};
+    return {near->distance / in_.longest_side(in_.mesh.triangles[near->triangle]), near->distance, p};
   }
 
   const ClaimInput& in_;
@@ -142,8 +137,7 @@ class SurfaceSampler {
 Claim claim_surface_distance(const ClaimInput& in) {
   ClaimBuilder claim(
       "surface-distance",
-      "No place of a CAD face is farther from its triangles than half their edges and the gaps of the CAD's "
-      "own edges there; worst: share.");
+      "No place of a CAD face is farther from its triangles than half their edges; worst: share.");
   const SurfaceSampler::Worst worst = SurfaceSampler(in).run(claim);
   Claim measured = claim.measured(worst.share, kShare);
   if (worst.farthest.entity.valid()) measured.farthest = worst.farthest;

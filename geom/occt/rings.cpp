@@ -112,7 +112,7 @@ std::optional<Pair> match(const TopoDS_Edge& gone, const TopoDS_Edge& kept, doub
 }
 
 /// Each edge of one loop beside one of the other; empty: not so.
-std::vector<Pair> match(const Loop& gone, Loop kept, double width) {
+std::vector<Pair> match_loops(const Loop& gone, Loop kept, double width) {
   std::vector<Pair> pairs;
   if (gone.size() != kept.size()) return {};
   for (const TopoDS_Edge& edge : gone) {
@@ -147,7 +147,7 @@ class Merger {
   bool take(const TopoDS_Face& face) {
     const std::vector<Loop> loops = loops_of(face);
     if (loops.size() != 2) return false;
-    const std::vector<Pair> pairs = match(loops[1], loops[0], width_);
+    const std::vector<Pair> pairs = match_loops(loops[1], loops[0], width_);
     if (pairs.empty() || !std::all_of(pairs.begin(), pairs.end(), [&](const Pair& p) { return is_free(p); }))
       return false;
     for (const Pair& pair : pairs) join(pair);

@@ -305,17 +305,6 @@ TEST(Acceptance, ADentInABallIsCaughtByMeasures) {
   EXPECT_TRUE(has(broken, "surface-distance"));
 }
 
-TEST(Acceptance, AMeshMayBeAsFarFromAFaceAsTheEdgesOfTheCadAre) {
-  constexpr double kGap = 0.5;
-  ModelParts parts = box().parts();
-  Mesh mesh = test::box_mesh(test::part_of(box()), kSize, {3, 2, 8});
-  for (std::size_t v = 0; v < mesh.points.size(); ++v)
-    if (mesh.point_on[v].dim < 2 && mesh.points[v].head<2>().isZero()) mesh.points[v] += Vec3(kGap, kGap, 0);
-  EXPECT_TRUE(has(broken_claims(mesh, Model(parts)), "surface-distance"));
-  for (auto& edge : parts.edges) edge.tolerance = 1.5 * kGap;
-  EXPECT_FALSE(has(broken_claims(mesh, Model(parts)), "surface-distance"));
-}
-
 TEST(Acceptance, AMissingCapOfABallIsNoBall) {
   const Model model = analytic_ball(5.0);
   Mesh mesh = test::ball_mesh(model, 5.0, 2);
