@@ -160,12 +160,16 @@ void triangulate(Attempt& attempt, const Model& model) {
       model, [&attempt, &model](const Vec3& p) { return attempt.region_of(model, p); });
 }
 
-void classify(Attempt& attempt, const Model& model, double size, AttributeLimits limits, Observer& observer) {
+void classify(Attempt& attempt) {
   const TetMesh& mesh = attempt.triangulation.mesh();
   std::vector<TetId> all;
   for (std::size_t i = 0; i < mesh.tets.size(); ++i)
     if (mesh.alive(TetId(i))) all.emplace_back(i);
   attempt.band->update(mesh, attempt.on, all);
+}
+
+void close_holes(Attempt& attempt, const Model& model, double size, AttributeLimits limits,
+                 Observer& observer) {
   const EdgeIndex edges(model, size);
   limits.cell_at = [&](const Vec3& p) { return std::size_t{attempt.tree.find(p).index()}; };
   attempt.closed =

@@ -43,7 +43,10 @@ struct Attempt {
 void cut_tree(Attempt& attempt, const Model& model, const std::function<bool()>& cancelled = {});
 void place_points(Attempt& attempt, const Model& model, const SeedOptions& options);
 void triangulate(Attempt& attempt, const Model& model);
-void classify(Attempt& attempt, const Model& model, double size, AttributeLimits limits, Observer& observer);
+void classify(Attempt& attempt);
+/// Attribute points until no hole is left or a limit is met; again with other limits, it goes on from there.
+void close_holes(Attempt& attempt, const Model& model, double size, AttributeLimits limits,
+                 Observer& observer);
 
 /// The vertices of the triangulation, where they are: it is made of rounded places, and a vertex whose own
 /// place would turn a tetrahedron inside out stays where it was rounded to.

@@ -4,6 +4,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -57,6 +58,10 @@ constexpr int kSecondTries = 3;
 /// In attempts after the first octree vertices keep farther off: middle layers of walls, which the nearer
 /// ones are for, are worth less than holes that close and claims that hold.
 constexpr double kRoomyClearance = 0.6;
+/// Attribute points keep this share of the finest octant off each other, and where no smaller octants close
+/// the gaps that are left, these shares: a wall of 0.0008 mm beside a tangent face wants points as near.
+constexpr double kFloorShare = 1e-3;
+constexpr std::array<double, 6> kLastFloorShares{5e-4, 2.5e-4, 1.25e-4, 6e-5, 3e-5, 1.5e-5};
 /// Attribute points for the gaps of one octant. Where gaps close few octants take more than 23, but four
 /// narrow holes in one take 400; where they do not, octants take thousands.
 constexpr std::size_t kPointsPerOctant = 1000;
@@ -188,8 +193,6 @@ class Run {
   void mesh_band(Octree tree) {
     for (int depth = 0, best = 0;; ++depth) {
       auto next = attempt(std::move(tree));
-      result_.report.attribute_points += next->closed.points;
-      result_.report.rounds += next->closed.rounds;
       const bool better = !band_ || openness(next->closed) < openness(band_->closed);
       if (better) best = depth;
       std::optional<Octree> finer;
@@ -207,6 +210,7 @@ class Run {
       if (!finer) break;
       tree = std::move(*finer);
     }
+    close_below_floor();
     gaps_left_ = !band_->closed.gaps.empty();
     if (gaps_left_) find_all_gaps(*band_);
     broken_ = broken_regions(*band_, model_);
@@ -218,6 +222,29 @@ class Run {
     for (Fault& fault : faults) fault.place = frame_.to_part(fault.place);
     if (gaps_left_) faults.insert(faults.begin(), crossings_.begin(), crossings_.end());
     if (gaps_left_ && too_coarse_) faults.insert(faults.begin(), fault_of_coarseness());
+  }
+
+  /// Points nearer to each other than is good for elements, for the gaps that nothing else closes.
+  void close_below_floor() {
+    if (too_coarse_) return;
+    for (const double share : kLastFloorShares) {
+      const std::size_t gaps = band_->closed.gaps.size();
+      if (gaps == 0 || gaps > kHopelessGaps) return;
+      observer_.note(fmt::format("{} gaps left: points may be nearer to each other", gaps));
+      close_attempt(*band_, share);
+    }
+  }
+
+  /// The loop of attribute points, from where the attempt is.
+  void close_attempt(Attempt& attempt, double floor_share) {
+    AttributeLimits limits;
+    limits.points = 4 * attempt.seeds.surface_points + 2000;
+    limits.per_cell = kPointsPerOctant;
+    limits.gaps = most_gaps(attempt);
+    limits.floor = floor_share * finest_octant();
+    close_holes(attempt, model_, octant_, limits, observer_);
+    result_.report.attribute_points += attempt.closed.points;
+    result_.report.rounds += attempt.closed.rounds;
   }
 
   /// Faces that touch are what most holes are about that no octants close: they are told first.
@@ -275,12 +302,8 @@ class Run {
     begin("triangulation", 0.3);
     triangulate(*next, model_);
     begin("classification", 0.45);
-    AttributeLimits limits;
-    limits.points = 4 * next->seeds.surface_points + 2000;
-    limits.per_cell = kPointsPerOctant;
-    limits.gaps = most_gaps(*next);
-    limits.floor = 1e-3 * finest_octant();
-    classify(*next, model_, octant_, limits, observer_);
+    classify(*next);
+    close_attempt(*next, kFloorShare);
     return next;
   }
 

@@ -39,7 +39,8 @@ TEST(Subdivision, AFaceBetweenTheOctantsIsAGapAndGetsOctantsOfHalfItsExtent) {
   Observer silent;
   AttributeLimits limits;
   limits.points = 1000;
-  classify(attempt, model, 1.0, limits, silent);
+  classify(attempt);
+  close_holes(attempt, model, 1.0, limits, silent);
   ASSERT_EQ(attempt.closed.gaps.size(), 1u);
   const Gap& gap = attempt.closed.gaps[0];
   EXPECT_EQ(gap.kind, GapKind::kBareFace);
