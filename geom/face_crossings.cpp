@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sides of facets that pierce facets of other faces give seeds; Newton's method on both surfaces decides.
+// Facets that pierce facets of other faces give seeds; Newton's method on both surfaces decides.
 #include "geom/face_crossings.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
+#include <span>
+#include <utility>
 
 #include "geom/facet_bvh.h"
 
@@ -16,7 +20,7 @@ namespace {
 constexpr double kLeastSine = 0.02;
 
 /// Seeds tried for a pair of faces: the deepest of so many places is deep enough to tell.
-constexpr int kSeeds = 32;
+constexpr int kSeeds = 64;
 
 struct Pair {
   int seeds = 0;
@@ -28,11 +32,13 @@ class CrossingFinder {
   explicit CrossingFinder(const Model& model) : model_(model), facets_(model.facets()) {}
 
   std::vector<FaceCrossing> run() {
-    for (std::uint32_t t = 0; t < facets_.triangles.size(); ++t)
-      for (int k = 0; k < 3; ++k) {
-        const std::uint32_t a = facets_.triangles[t][k], b = facets_.triangles[t][(k + 1) % 3];
-        if (a < b) look_along(t, a, b);  // the facet beyond the side has it the other way round
-      }
+    const std::vector<Side> sides = all_sides();
+    for (std::size_t first = 0, next = 0; first < sides.size(); first = next) {
+      while (next < sides.size() && sides[next].low == sides[first].low &&
+             sides[next].high == sides[first].high)
+        ++next;
+      look_along(std::span(sides).subspan(first, next - first));
+    }
     std::vector<FaceCrossing> found;
     for (const auto& [faces, pair] : pairs_)
       if (pair.crossing.depth > 0.0) found.push_back(pair.crossing);
@@ -40,26 +46,81 @@ class CrossingFinder {
   }
 
  private:
-  void look_along(std::uint32_t t, std::uint32_t a, std::uint32_t b) {
+  /// A side of a facet, by its nodes.
+  struct Side {
+    std::uint32_t low = 0, high = 0, triangle = 0;
+  };
+
+  /// Each with the others of the same nodes: by the lower node, of which there are few.
+  [[nodiscard]] std::vector<Side> all_sides() const {
+    std::vector<std::uint32_t> begin(facets_.nodes.size() + 1, 0);
+    const auto for_all = [&](const auto& visit) {
+      for (std::uint32_t t = 0; t < facets_.triangles.size(); ++t)
+        for (int k = 0; k < 3; ++k) {
+          const auto [low, high] = std::minmax(facets_.triangles[t][k], facets_.triangles[t][(k + 1) % 3]);
+          visit(Side{low, high, t});
+        }
+    };
+    for_all([&](const Side& side) { ++begin[side.low + 1]; });
+    for (std::size_t i = 1; i < begin.size(); ++i) begin[i] += begin[i - 1];
+    std::vector<Side> sides(begin.back());
+    std::vector<std::uint32_t> next = begin;
+    for_all([&](const Side& side) { sides[next[side.low]++] = side; });
+    for (std::size_t i = 0; i + 1 < begin.size(); ++i)
+      std::sort(sides.begin() + begin[i], sides.begin() + begin[i + 1], [](const Side& a, const Side& b) {
+        return std::pair(a.high, a.triangle) < std::pair(b.high, b.triangle);
+      });
+    return sides;
+  }
+
+  /// `sides`: one side, once for each facet that has it.
+  void look_along(std::span<const Side> sides) {
+    const std::uint32_t a = sides.front().low, b = sides.front().high;
     const Vec3 &p = facets_.nodes[a], &q = facets_.nodes[b];
     model_.bvh().visit_segment(p, q, [&](std::uint32_t u) {
-      if (facets_.face[u] == facets_.face[t]) return;
       const auto& corners = facets_.triangles[u];
       for (const std::uint32_t c : corners)
         if (c == a || c == b) return;
-      const std::optional<Vec3> seed = piercing(p, q, facet_corners(facets_, u));
-      if (seed) try_pair(facets_.face[t], facets_.face[u], *seed);
+      const std::optional<Vec3> at = piercing(p, q, facet_corners(facets_, u));
+      if (!at) return;
+      for (const Side& side : sides)
+        if (facets_.face[side.triangle] != facets_.face[u])
+          for (const Vec3& seed : {*at, middle_of_common(side.triangle, u, *at)})
+            try_pair(facets_.face[side.triangle], facets_.face[u], seed);
     });
   }
 
-  /// Where a segment goes through the inside of a triangle.
+  /// Where a segment goes through a triangle, its corners and sides included.
   static std::optional<Vec3> piercing(const Vec3& p, const Vec3& q, const std::array<Vec3, 3>& c) {
     const Vec3 d = q - p, e1 = c[1] - c[0], e2 = c[2] - c[0], h = d.cross(e2), s = p - c[0], r = s.cross(e1);
     const double det = e1.dot(h);
     if (det == 0.0) return std::nullopt;
     const double u = s.dot(h) / det, v = d.dot(r) / det, at = e2.dot(r) / det;
-    if (u <= 0.0 || v <= 0.0 || u + v >= 1.0 || at <= 0.0 || at >= 1.0) return std::nullopt;
+    if (u < 0.0 || v < 0.0 || u + v > 1.0 || at < 0.0 || at > 1.0) return std::nullopt;
     return p + at * d;
+  }
+
+  /// The middle of what two triangles have in common, a segment with an end at `end`. An end on the face's
+  /// own edge proves nothing, and where faces are large facets all ends may be on edges.
+  [[nodiscard]] Vec3 middle_of_common(std::uint32_t t, std::uint32_t u, const Vec3& end) const {
+    const std::array<Vec3, 3> c = facet_corners(facets_, t), d = facet_corners(facets_, u);
+    const Vec3 n = (c[1] - c[0]).cross(c[2] - c[0]), m = (d[1] - d[0]).cross(d[2] - d[0]), way = n.cross(m);
+    if (way.squaredNorm() == 0.0) return end;
+    double from = -std::numeric_limits<double>::infinity(), to = -from;
+    clip(c, n, end, way, from, to);
+    clip(d, m, end, way, from, to);
+    return to > from && std::isfinite(to - from) ? Vec3(end + 0.5 * (from + to) * way) : end;
+  }
+
+  /// The part of the line end + s * way that lies in the triangle of normal n.
+  static void clip(const std::array<Vec3, 3>& c, const Vec3& n, const Vec3& end, const Vec3& way,
+                   double& from, double& to) {
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 inward = n.cross(c[(k + 1) % 3] - c[k]);
+      const double height = inward.dot(end - c[k]), slope = inward.dot(way);
+      if (slope > 0.0) from = std::max(from, -height / slope);
+      if (slope < 0.0) to = std::min(to, -height / slope);
+    }
   }
 
   void try_pair(int f, int g, const Vec3& seed) {

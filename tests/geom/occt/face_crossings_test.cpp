@@ -6,14 +6,12 @@
 
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
-#include <BRep_Builder.hxx>
-#include <TopExp_Explorer.hxx>
-#include <TopoDS.hxx>
-#include <TopoDS_Solid.hxx>
 #include <gp_Ax2.hxx>
 #include <gp_Pnt.hxx>
 
 #include "geom/occt/from_shape.h"
+#include "geom/occt/reader.h"
+#include "tests/support/crossed.h"
 
 namespace octet::test {
 namespace {
@@ -21,15 +19,15 @@ namespace {
 /// One solid whose two shells cross: a box of side 10, and a rod through its top, which is a void to the
 /// file.
 TopoDS_Shape box_with_a_void_through_its_top() {
-  TopoDS_Solid solid = TopoDS::Solid(BRepPrimAPI_MakeBox(10.0, 10.0, 10.0).Solid());
-  const TopoDS_Shape rod =
-      BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(5.0, 5.0, 4.0), gp_Dir(0.0, 0.0, 1.0)), 2.0, 9.0).Shape();
-  BRep_Builder().Add(solid, TopExp_Explorer(rod, TopAbs_SHELL).Current().Reversed());
-  return solid;
+  return with_void(
+      box_between({0, 0, 0}, {10, 10, 10}),
+      BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(5.0, 5.0, 4.0), gp_Dir(0.0, 0.0, 1.0)), 2.0, 9.0).Shape());
 }
 
 TEST(FaceCrossings, AShellThatGoesThroughAnotherCrossesIt) {
-  const Model model = model_from_shape(box_with_a_void_through_its_top());
+  ReadJob job;
+  job.shape = box_with_a_void_through_its_top();
+  const Model model(read_job(job));  // the first reading only: the second mends it
   const std::vector<FaceCrossing> crossings = face_crossings(model);
   ASSERT_EQ(crossings.size(), 1u);
   const FaceCrossing& crossing = crossings.front();
@@ -38,6 +36,14 @@ TEST(FaceCrossings, AShellThatGoesThroughAnotherCrossesIt) {
   EXPECT_GT(crossing.depth, 2.5);  // 3 in truth, both to the box's sides and to the rod's end
   EXPECT_LE(crossing.depth, 3.0 + 1e-9);
   EXPECT_LT(crossing.face[0], crossing.face[1]);
+}
+
+TEST(FaceCrossings, FacesOfFewFacetsThatPierceEachOtherAtTheirEdges) {
+  ReadJob job;
+  job.shape = crossed_boxes();
+  const std::vector<FaceCrossing> crossings = face_crossings(Model(read_job(job)));
+  EXPECT_EQ(crossings.size(), 6u) << "three sides of either box with two of the other each";
+  for (const FaceCrossing& crossing : crossings) EXPECT_NEAR(crossing.depth, 2.5, 1e-9);
 }
 
 TEST(FaceCrossings, NoneWhereFacesMeetInTheirEdges) {

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Solids whose boundary crosses itself, as files have them.
+#pragma once
+
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepBuilderAPI_Sewing.hxx>
+#include <BRepGProp.hxx>
+#include <BRepOffsetAPI_MakePipeShell.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRep_Builder.hxx>
+#include <GProp_GProps.hxx>
+#include <Geom_Circle.hxx>
+#include <Geom_SurfaceOfRevolution.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Shell.hxx>
+#include <TopoDS_Solid.hxx>
+#include <TopoDS_Wire.hxx>
+#include <gp_Ax1.hxx>
+#include <gp_Ax2.hxx>
+#include <gp_Circ.hxx>
+#include <gp_Cylinder.hxx>
+#include <gp_Vec.hxx>
+
+#include <cmath>
+#include <vector>
+
+namespace octet::test {
+
+inline TopoDS_Shape box_between(const gp_Pnt& a, const gp_Pnt& b) {
+  return BRepPrimAPI_MakeBox(a, b).Shape();
+}
+
+/// One solid of one shell with the faces of all the shapes.
+inline TopoDS_Shape one_shell_of(const std::vector<TopoDS_Shape>& shapes) {
+  const BRep_Builder builder;
+  TopoDS_Shell shell;
+  builder.MakeShell(shell);
+  for (const TopoDS_Shape& shape : shapes)
+    for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next()) builder.Add(shell, it.Current());
+  TopoDS_Solid solid;
+  builder.MakeSolid(solid);
+  builder.Add(solid, shell);
+  return solid;
+}
+
+/// Two boxes of side 10, one 5 farther along each axis: together 1875.
+inline TopoDS_Shape crossed_boxes() {
+  return one_shell_of({box_between({0, 0, 0}, {10, 10, 10}), box_between({5, 5, 5}, {15, 15, 15})});
+}
+
+/// A solid with a shell of another turned inside out, a void to the file wherever it lies.
+inline TopoDS_Shape with_void(const TopoDS_Shape& outside, const TopoDS_Shape& inside) {
+  const BRep_Builder builder;
+  TopoDS_Solid solid;
+  builder.MakeSolid(solid);
+  builder.Add(solid, TopExp_Explorer(outside, TopAbs_SHELL).Current());
+  builder.Add(solid, TopExp_Explorer(inside, TopAbs_SHELL).Current().Reversed());
+  return solid;
+}
+
+/// The faces of a solid, which share no edges, sewn and turned outward.
+inline TopoDS_Shape sewn_solid(const std::vector<TopoDS_Shape>& faces) {
+  BRepBuilderAPI_Sewing sewing(1e-6);
+  for (const TopoDS_Shape& face : faces) sewing.Add(face);
+  sewing.Perform();
+  TopoDS_Solid solid;
+  const BRep_Builder builder;
+  builder.MakeSolid(solid);
+  builder.Add(solid, TopExp_Explorer(sewing.SewedShape(), TopAbs_SHELL).Current());
+  GProp_GProps properties;
+  BRepGProp::VolumeProperties(solid, properties);
+  return properties.Mass() < 0.0 ? solid.Reversed() : TopoDS_Shape(solid);
+}
+
+/// A pin of radius r and straight ends of length 5, bent by a right angle about the z axis at distance R: for
+/// R < r the bend's torus goes through its own axis, and the straight ends cross there.
+inline TopoDS_Shape bent_pin(double r, double bend) {
+  const double quarter = 2.0 * std::atan(1.0), whole = 4.0 * quarter;
+  const auto disc = [&](const gp_Ax2& axes) {
+    return BRepBuilderAPI_MakeFace(
+               BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(gp_Circ(axes, r)).Edge()).Wire(), true)
+        .Shape();
+  };
+  const gp_Ax2 start(gp_Pnt(bend, -5.0, 0.0), gp::DY(), gp::DX()),
+      end(gp_Pnt(-5.0, bend, 0.0), -gp::DX(), gp::DY()), middle(gp_Pnt(bend, 0.0, 0.0), gp::DY(), gp::DX());
+  const Handle(Geom_Surface) turn =
+      new Geom_SurfaceOfRevolution(new Geom_Circle(gp_Circ(middle, r)), gp_Ax1(gp::Origin(), gp::DZ()));
+  return sewn_solid({disc(start), disc(end),
+                     BRepBuilderAPI_MakeFace(gp_Cylinder(gp_Ax3(start), r), 0.0, whole, 0.0, 5.0).Shape(),
+                     BRepBuilderAPI_MakeFace(turn, 0.0, quarter, 0.0, whole, 1e-7).Shape(),
+                     BRepBuilderAPI_MakeFace(gp_Cylinder(gp_Ax3(end), r), 0.0, whole, -5.0, 0.0).Shape()});
+}
+
+/// A wire of radius 1 along a path that comes back over itself, 0.7 higher than it went.
+inline TopoDS_Shape looped_wire() {
+  const std::vector<gp_Pnt> corners{{0, 0, 0}, {20, 0, 0}, {20, 10, 0.7}, {10, 10, 0.7}, {10, -10, 0.7}};
+  BRepBuilderAPI_MakeWire path;
+  for (std::size_t i = 0; i + 1 < corners.size(); ++i)
+    path.Add(BRepBuilderAPI_MakeEdge(corners[i], corners[i + 1]).Edge());
+  const gp_Circ section(gp_Ax2(corners[0], gp::DX()), 1.0);
+  BRepOffsetAPI_MakePipeShell pipe(path.Wire());
+  pipe.SetTransitionMode(BRepBuilderAPI_RightCorner);
+  pipe.Add(BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(section).Edge()).Wire());
+  pipe.Build();
+  pipe.MakeSolid();
+  return pipe.Shape();
+}
+
+}  // namespace octet::test
