@@ -122,12 +122,12 @@ void tell_faults(const JoinedSolids& joined, const ShapeMaps& as_read, const Sol
 OcctLock::OcctLock() { occt_mutex().lock(); }
 OcctLock::~OcctLock() { occt_mutex().unlock(); }
 
-AssembledPart assemble(const CadDocument& document, const ReadOptions& options,
-                       const FaceNumberPairs& touching, const StageLog& log) {
+AssembledPart assemble(const CadDocument& document, const ReadOptions& options, const MeetingFaces& meeting,
+                       const StageLog& log) {
   const ShapeMaps as_read(document.shape);
   log("collecting the solids");
   SolidSet healed = collect_solids(document.shape, as_read, options.sew_tolerance);
-  heal(as_read, {options.sew_tolerance, options.smallest_feature}, touching, log, healed);
+  heal(as_read, {options.sew_tolerance, options.smallest_feature}, meeting, log, healed);
   JoinedSolids joined = join_solids(as_read, healed, options, log);
   ModelParts& parts = joined.part.parts;
   parts.unit = document.unit;

@@ -25,9 +25,9 @@ struct AssembledPart {
   ModelParts parts;
 };
 
-/// Solids, numbers, topology, measures, facets and marks; faces that touch are imprinted on each other.
-/// Triangulates document.shape in place. Under OcctLock.
+/// Solids, numbers, topology, measures, facets and marks; faces that cross or touch are dealt with as heal()
+/// says. Triangulates document.shape in place. Under OcctLock.
 [[nodiscard]] AssembledPart assemble(const CadDocument& document, const ReadOptions& options,
-                                     const FaceNumberPairs& touching, const StageLog& log);
+                                     const MeetingFaces& meeting, const StageLog& log);
 
 }  // namespace octet

@@ -13,6 +13,7 @@ struct Uses {
   int forward = 0, reversed = 0;
   [[nodiscard]] bool open() const { return forward + reversed == 1; }
   [[nodiscard]] bool turned() const { return forward + reversed == 2 && forward != 1; }
+  [[nodiscard]] bool unbalanced() const { return forward != reversed; }
 };
 
 struct EdgeUses {

@@ -30,6 +30,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/error.h"
 #include "geom/occt/crossed_sides.h"
 #include "geom/occt/edge_uses.h"
 #include "geom/occt/folds.h"
@@ -41,7 +42,9 @@
 #include "geom/occt/shape_box.h"
 #include "geom/occt/short_edges.h"
 #include "geom/occt/strips.h"
+#include "geom/occt/sub_shapes.h"
 #include "geom/occt/touched_edges.h"
+#include "geom/occt/unite_crossed.h"
 #include "geom/occt/voids.h"
 
 namespace octet {
@@ -65,7 +68,7 @@ class Healer {
   Healer(const ShapeMaps& as_read, const HealOptions& options, const StageLog& log, SolidSet& set)
       : as_read_(as_read), options_(options), log_(log), set_(set) {}
 
-  void run(const FaceNumberPairs& touching) {
+  void run(const MeetingFaces& meeting) {
     for (std::size_t i = 0; i < set_.solids.size(); ++i) {
       log_(fmt::format("checking {}", name_of(set_.solids[i])));
       volume_.reset();
@@ -79,7 +82,8 @@ class Healer {
       turn_inside_out(set_.solids[i]);
     }
     join_touching_voids();
-    imprint(touching);
+    unite(meeting.crossing);
+    imprint(meeting.touching);
     if (curves_ > 0)
       set_.notes.push_back(
           fmt::format("{} edge(s) had no curve in space and got that of their face, the first is {}", curves_,
@@ -318,14 +322,65 @@ class Healer {
     set_.solids = std::move(solids);
   }
 
-  void imprint(const FaceNumberPairs& touching) {
-    if (touching.empty()) return;
-    log_("imprinting faces that touch");
+  /// What became of the faces of each pair.
+  [[nodiscard]] std::vector<std::array<TopoDS_Face, 2>> faces_of(const FaceNumberPairs& numbers) const {
     std::vector<std::array<TopoDS_Face, 2>> pairs;
-    for (const auto& [a, b] : touching)
+    for (const auto& [a, b] : numbers)
       for (const TopoDS_Shape& f : images_of(as_read_.of[2](a), set_))
         for (const TopoDS_Shape& g : images_of(as_read_.of[2](b), set_))
           if (!f.IsSame(g)) pairs.push_back({TopoDS::Face(f), TopoDS::Face(g)});
+    return pairs;
+  }
+
+  /// Solids that cross themselves.
+  void unite(const FaceNumberPairs& crossing) {
+    if (crossing.empty()) return;
+    const auto pairs = faces_of(crossing);
+    std::vector<TopoDS_Shape> solids;
+    std::string cause = "no solid has both faces of a pair";
+    bool any = false;
+    for (const TopoDS_Shape& solid : set_.solids) {
+      const TopTools_IndexedMapOfShape faces = sub_shapes(solid, TopAbs_FACE);
+      std::vector<std::array<TopoDS_Face, 2>> own;
+      for (const auto& pair : pairs)
+        if (faces.Contains(pair[0]) && faces.Contains(pair[1])) own.push_back(pair);
+      const United united = own.empty() ? United{} : unite_crossed(solid, own, log_);
+      if (united.solids.empty()) solids.push_back(solid);
+      if (own.empty()) continue;
+      tell_united(solid, own, united);
+      any = any || !united.solids.empty();
+      cause = united.cause;
+      if (!united.solids.empty()) set_.history->Merge(united.history);
+      for (const TopoDS_Shape& made : united.solids) {
+        solids.push_back(made);
+        add_curves(made);
+      }
+    }
+    if (!any) throw ModelError(cause, {});
+    set_.solids = std::move(solids);
+  }
+
+  /// While the faces' numbers can still be told: before the history has what became of them.
+  void tell_united(const TopoDS_Shape& solid, const std::vector<std::array<TopoDS_Face, 2>>& pairs,
+                   const United& united) {
+    std::string note = fmt::format(
+        "{} crosses itself: {} pair(s) of its faces cross, the first is {} and {}; ", name_of(solid),
+        pairs.size(), numbered("Face", 2, pairs.front()[0]), numbered("Face", 2, pairs.front()[1]));
+    note += united.solids.empty()
+                ? "it is left so: " + united.cause
+                : fmt::format(
+                      "they were cut along each other, and {} piece(s) that lay inside, or were turned "
+                      "inside out, were taken away",
+                      united.dropped);
+    if (!united.gone.empty()) note += ", so that nothing is left of " + listed("Face", 2, united.gone);
+    if (united.solids.size() > 1) note += fmt::format("; it became {} solids", united.solids.size());
+    set_.notes.push_back(note);
+  }
+
+  void imprint(const FaceNumberPairs& touching) {
+    if (touching.empty()) return;
+    log_("imprinting faces that touch");
+    const auto pairs = faces_of(touching);
     const Imprinted imprinted = imprint_faces(set_.solids, pairs);
     set_.notes.push_back(fmt::format(
         "{} pair(s) of faces touch without an edge or a vertex that they share, the first is Face {} and "
@@ -356,9 +411,9 @@ std::string inside_out_note(const std::string& solid) {
   return solid + " was turned inside out (it filled all space but a hole) and was turned back";
 }
 
-void heal(const ShapeMaps& as_read, const HealOptions& options, const FaceNumberPairs& touching,
+void heal(const ShapeMaps& as_read, const HealOptions& options, const MeetingFaces& meeting,
           const StageLog& log, SolidSet& set) {
-  Healer(as_read, options, log, set).run(touching);
+  Healer(as_read, options, log, set).run(meeting);
 }
 
 }  // namespace octet

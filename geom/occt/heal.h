@@ -10,8 +10,14 @@
 
 namespace octet {
 
-/// Numbers as read of pairs of faces that touch.
+/// Numbers as read of pairs of faces.
 using FaceNumberPairs = std::vector<std::array<int, 2>>;
+
+/// Faces of one solid that meet where the file has no edge.
+struct MeetingFaces {
+  FaceNumberPairs crossing;  ///< to be cut along each other
+  FaceNumberPairs touching;  ///< to be imprinted on each other
+};
 
 struct HealOptions {
   double sew_tolerance = 0.0;     ///< mm; 0: growing ones
@@ -33,9 +39,11 @@ inline constexpr double kVanishingShare = 1e-7;
 ///  5. where there are several, a solid turned inside out, so that it fills all space but its hole, is turned
 ///     before they are fused (a single one shows by its facets, which is surer);
 ///  6. edges and vertices of voids that touch the outside of their solid become those of the outside;
-///  7. the faces of the pairs given are imprinted on each other.
+///  7. solids with faces that cross, as the pairs given say, become what their boundary encloses (ModelError
+///     where that can be done for none of them);
+///  8. the faces of the pairs that touch are imprinted on each other.
 /// What remains open or damaged is left for the later stages to name.
-void heal(const ShapeMaps& as_read, const HealOptions& options, const FaceNumberPairs& touching,
+void heal(const ShapeMaps& as_read, const HealOptions& options, const MeetingFaces& meeting,
           const StageLog& log, SolidSet& set);
 
 /// What the notes say of a solid that was turned.

@@ -27,6 +27,7 @@
 #include "geom/occt/part_stream.h"
 #include "geom/occt/silence.h"
 #include "geom/occt/tessellate.h"
+#include "geom/winding.h"
 
 namespace octet {
 namespace {
@@ -43,7 +44,7 @@ std::string do_job(const ReadJob& job, const StageLog& log) {
     } else {
       document.shape = job.shape;
     }
-    const AssembledPart part = assemble(document, job.options, job.touching, log);
+    const AssembledPart part = assemble(document, job.options, job.meeting, log);
     log("handing the part over");
     return encode_part(part.numbering, part.parts);
   } catch (const Standard_OutOfMemory&) {
@@ -57,7 +58,7 @@ std::string encode_job(const ReadJob& job) {
   ByteWriter out;
   out(job.path.string(), job.kind, job.shape.IsNull() ? std::string() : encode_shape(job.shape),
       job.options.facet_deflection, job.options.sew_tolerance, job.options.smallest_feature, job.options.fuse,
-      job.touching);
+      job.meeting.crossing, job.meeting.touching);
   return std::move(out.bytes);
 }
 
@@ -113,13 +114,25 @@ std::vector<FaceTouch> touches_without_crossings(const Model& model) {
   return touches;
 }
 
-/// Numbers as read of the faces of each pair, where both have one.
-FaceNumberPairs numbers_of(const std::vector<FaceTouch>& touches, const Model& model) {
+/// Those of faces of one region.
+std::vector<FaceCrossing> crossings_within_regions(const Model& model) {
+  std::vector<FaceCrossing> crossings = face_crossings(model);
+  std::erase_if(crossings, [&](const FaceCrossing& crossing) {
+    const auto &a = model.face(crossing.face[0]).region, &b = model.face(crossing.face[1]).region;
+    return std::none_of(a.begin(), a.end(),
+                        [&](int region) { return region != 0 && (region == b[0] || region == b[1]); });
+  });
+  return crossings;
+}
+
+/// Numbers as read of the faces of each pair (FaceCrossing, FaceTouch), where both have one.
+template <class Pair>
+FaceNumberPairs numbers_of(const std::vector<Pair>& found, const Model& model) {
   const auto numbers = sources(model.provenance(), 2, model.count(2));
   FaceNumberPairs pairs;
-  for (const FaceTouch& touch : touches) {
-    const auto &a = numbers[static_cast<std::size_t>(touch.face[0])],
-               &b = numbers[static_cast<std::size_t>(touch.face[1])];
+  for (const Pair& pair : found) {
+    const auto &a = numbers[static_cast<std::size_t>(pair.face[0])],
+               &b = numbers[static_cast<std::size_t>(pair.face[1])];
     if (!a.empty() && !b.empty() && a.front() != b.front()) pairs.push_back({a.front(), b.front()});
   }
   return pairs;
@@ -208,6 +221,54 @@ Model with_note(const Model& model, const std::string& note) {
   return Model(std::move(parts));
 }
 
+/// Why the model is not what another one encloses whose boundary crosses itself in some places; empty: it is,
+/// and crosses itself in fewer.
+std::string unlikeness_of(const Model& model, const Model& crossed,
+                          const std::vector<FaceCrossing>& crossings) {
+  constexpr double kSameShare = 1e-4;
+  const std::size_t left = crossings_within_regions(model).size();
+  if (model.parts().faults.size() > crossed.parts().faults.size()) return model.parts().faults.back().cause;
+  if (left >= crossings.size()) return fmt::format("{} pair(s) of faces would cross", left);
+  std::set<int> regions;
+  for (const FaceCrossing& crossing : crossings)
+    for (const int face : crossing.face)
+      regions.insert(crossed.face(face).region.begin(), crossed.face(face).region.end());
+  regions.erase(0);
+  const double share = share_covered_once(crossed, model, {regions.begin(), regions.end()});
+  if (share > kSameShare) return fmt::format("{:.2g} of the volume would be lost or won", share);
+  return {};
+}
+
+/// Readings with the faces that cross cut along each other, and of the solids what they enclose: as long as
+/// fewer cross by it, and nothing else changes. The job is left with the pairs that were cut.
+Model read_united(ReadJob& job, Model model) {
+  constexpr int kReadings = 3;
+  const Clock::time_point begin = Clock::now();
+  const double limit = job.options.time_limit;
+  for (int reading = 0; reading < kReadings; ++reading) {
+    const std::vector<FaceCrossing> crossings = crossings_within_regions(model);
+    const FaceNumberPairs pairs = numbers_of(crossings, model);
+    if (pairs.empty()) break;
+    ReadJob next = job;
+    next.options.time_limit = left_of(limit, begin);
+    next.meeting.crossing.insert(next.meeting.crossing.end(), pairs.begin(), pairs.end());
+    std::string cause;
+    try {
+      Model united(read_job(next));
+      cause = unlikeness_of(united, model, crossings);
+      if (cause.empty()) model = std::move(united);
+    } catch (const InputError& error) {
+      cause = error.what();
+    }
+    if (!cause.empty())
+      return with_note(model, fmt::format("{} pair(s) of faces cross, the first is Face {} and Face {}; they "
+                                          "are left so, for cut along each other: {}",
+                                          pairs.size(), pairs.front()[0], pairs.front()[1], cause));
+    job.meeting = next.meeting;
+  }
+  return model;
+}
+
 /// The job's second reading, with the faces that touch imprinted on each other, where nothing is lost by it;
 /// the model of the first with a note otherwise.
 Model read_imprinted(const ReadJob& job, const Model& model) {
@@ -224,7 +285,8 @@ Model read_imprinted(const ReadJob& job, const Model& model) {
       fmt::format(
           "{} pair(s) of faces touch without an edge or a vertex that they share, the first is Face {} "
           "and Face {}; they are left so, for imprinted on each other: {}",
-          job.touching.size(), job.touching.front()[0], job.touching.front()[1], loss));
+          job.meeting.touching.size(), job.meeting.touching.front()[0], job.meeting.touching.front()[1],
+          loss));
 }
 
 }  // namespace
@@ -236,7 +298,7 @@ std::string serve_job(std::string_view request, const StageLog& log) {
   ReadJob job;
   std::string path, shape;
   in(path, job.kind, shape, job.options.facet_deflection, job.options.sew_tolerance,
-     job.options.smallest_feature, job.options.fuse, job.touching);
+     job.options.smallest_feature, job.options.fuse, job.meeting.crossing, job.meeting.touching);
   job.path = path;
   if (!shape.empty()) job.shape = decode_shape(shape);
   return do_job(job, log);
@@ -260,8 +322,10 @@ Model read_model(ReadJob job) {
   const double limit = job.options.time_limit;
   std::string note;
   Model model = read_defeatured(job, note);
-  job.touching = numbers_of(touches_without_crossings(model), model);
-  if (!job.touching.empty()) {
+  job.options.time_limit = left_of(limit, begin);
+  model = read_united(job, std::move(model));
+  job.meeting.touching = numbers_of(touches_without_crossings(model), model);
+  if (!job.meeting.touching.empty()) {
     job.options.time_limit = left_of(limit, begin);
     model = read_imprinted(job, model);
   }

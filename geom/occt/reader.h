@@ -21,11 +21,11 @@ struct ReadJob {
   FileKind kind = FileKind::kStep;
   TopoDS_Shape shape;  ///< used when it is not null
   ReadOptions options;
-  /// Numbers as read of pairs of faces that touch, to be imprinted on each other.
-  FaceNumberPairs touching;
+  MeetingFaces meeting;  ///< of a reading before
 };
 
-/// The part. Where faces of one solid touch, it is read once more, and they are imprinted on each other.
+/// The part. Where faces of one solid cross it is read once more, so that it becomes what it encloses; where
+/// some touch, too, and they are imprinted on each other.
 [[nodiscard]] Model read_model(ReadJob job);
 
 /// All that makes a model, by a child process as ReadOptions says.

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Parts whose boundary crosses itself are meshed as what it encloses.
+#include <gtest/gtest.h>
+
+#include <BRepPrimAPI_MakeCylinder.hxx>
+
+#include <cmath>
+#include <string>
+
+#include "app/mesh_part.h"
+#include "geom/occt/from_shape.h"
+#include "tests/support/crossed.h"
+
+namespace octet {
+namespace {
+
+void expect_complete(const TopoDS_Shape& shape, double size) {
+  const Model model = model_from_shape(shape);
+  MeshOptions options;
+  options.size = size;
+  const MeshResult result = mesh_part(model, options);
+  const MeshReport& report = result.report;
+  EXPECT_EQ(report.status, MeshStatus::kComplete) << (report.faults.empty() ? "" : report.faults[0].cause);
+  EXPECT_TRUE(report.warnings.empty());
+  EXPECT_NEAR(report.volume, model.region(1).volume, 0.03 * model.region(1).volume);
+}
+
+TEST(Crossed, BoxesAreMeshedAsOne) {
+  for (const double size : {4.0, 1.5}) expect_complete(test::crossed_boxes(), size);
+}
+
+TEST(Crossed, PinsBentTighterThanTheyAreThick) {
+  for (const double bend : {0.9, 0.6, 0.3}) expect_complete(test::bent_pin(1.0, bend), 0.4);
+}
+
+TEST(Crossed, AWireThatPiercesItself) { expect_complete(test::looped_wire(), 0.5); }
+
+TEST(Crossed, AVoidThroughTheTop) {
+  expect_complete(
+      test::with_void(test::box_between({0, 0, 0}, {10, 10, 10}),
+                      BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(5.0, 5.0, 4.0), gp::DZ()), 2.0, 9.0).Shape()),
+      1.0);
+}
+
+}  // namespace
+}  // namespace octet
