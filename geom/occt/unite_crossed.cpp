@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "geom/occt/crossed_loops.h"
 #include "geom/occt/edge_uses.h"
 #include "geom/occt/face_fuse.h"
 #include "geom/occt/face_samples.h"
@@ -112,10 +113,19 @@ double facet_volume(const Model& model) {
   return sum / 6.0;
 }
 
+/// Where single faces meet themselves.
+Repair split_within_faces(const TopoDS_Shape& solid) {
+  Repair split = split_pinched_faces(solid);
+  const Repair loops = split_crossed_loops(split.solid);
+  split.solid = loops.solid;
+  split.history->Merge(loops.history);
+  return split;
+}
+
 class Union {
  public:
   Union(const TopoDS_Shape& solid, const FacePairs& crossing, const StageLog& log)
-      : solid_(solid), log_(log), model_(outward_model()), split_(split_pinched_faces(solid_)) {
+      : solid_(solid), log_(log), split_(split_within_faces(solid)), model_(outward_model()) {
     for (const auto& pair : crossing)
       for (const TopoDS_Face& face : pair) add_parts(face);
   }
@@ -135,10 +145,10 @@ class Union {
  private:
   /// A solid that fills all space but itself is turned.
   Model outward_model() {
-    Model model = model_of_solid(solid_, log_);
+    Model model = model_of_solid(split_.solid, log_);
     if (facet_volume(model) >= 0.0) return model;
-    solid_.Reverse();
-    return model_of_solid(solid_, log_);
+    split_.solid.Reverse();
+    return model_of_solid(split_.solid, log_);
   }
 
   void add_parts(const TopoDS_Face& face) {
@@ -269,10 +279,10 @@ class Union {
     result.solids = std::move(solids);
   }
 
-  TopoDS_Shape solid_;
+  const TopoDS_Shape& solid_;
   const StageLog& log_;
-  Model model_;   ///< of the solid as it was
   Repair split_;  ///< its solid is the one that is cut
+  Model model_;   ///< of that
   TopTools_IndexedMapOfShape crossing_;
 };
 

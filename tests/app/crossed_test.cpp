@@ -33,6 +33,10 @@ TEST(Crossed, PinsBentTighterThanTheyAreThick) {
   for (const double bend : {0.9, 0.6, 0.3}) expect_complete(test::bent_pin(1.0, bend), 0.4);
 }
 
+TEST(Crossed, AChamferThatNarrowsToNothingAndGoesOn) {
+  for (const double size : {1.0, 0.3}) expect_complete(test::plate_with_a_bow_tie(), size);
+}
+
 TEST(Crossed, AWireThatPiercesItself) { expect_complete(test::looped_wire(), 0.5); }
 
 TEST(Crossed, AVoidThroughTheTop) {

@@ -4,6 +4,7 @@
 
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepGProp.hxx>
@@ -23,6 +24,7 @@
 #include <gp_Ax2.hxx>
 #include <gp_Circ.hxx>
 #include <gp_Cylinder.hxx>
+#include <gp_Pln.hxx>
 #include <gp_Vec.hxx>
 
 #include <cmath>
@@ -93,6 +95,25 @@ inline TopoDS_Shape bent_pin(double r, double bend) {
                      BRepBuilderAPI_MakeFace(gp_Cylinder(gp_Ax3(start), r), 0.0, whole, 0.0, 5.0).Shape(),
                      BRepBuilderAPI_MakeFace(turn, 0.0, quarter, 0.0, whole, 1e-7).Shape(),
                      BRepBuilderAPI_MakeFace(gp_Cylinder(gp_Ax3(end), r), 0.0, whole, -5.0, 0.0).Shape()});
+}
+
+/// A plate 4 by 4, 1.5 high, with a chamfer at one corner that is 1 wide at the bottom, narrows to nothing at
+/// the height 1 and goes on: there its sides and those of the top cross, and what is beyond is inside out.
+inline TopoDS_Shape plate_with_a_bow_tie() {
+  const auto face = [](const gp_Dir& normal, const std::vector<gp_Pnt>& corners) {
+    BRepBuilderAPI_MakePolygon polygon;
+    for (const gp_Pnt& corner : corners) polygon.Add(corner);
+    polygon.Close();
+    return BRepBuilderAPI_MakeFace(gp_Pln(corners.front(), normal), polygon.Wire(), false).Shape();
+  };
+  constexpr double h = 1.5;
+  return sewn_solid({face(-gp::DZ(), {{0, 0, 0}, {0, 4, 0}, {3, 4, 0}, {4, 3, 0}, {4, 0, 0}}),
+                     face(gp::DZ(), {{0, 0, h}, {4, 0, h}, {4, 4.5, h}, {4.5, 4, h}, {0, 4, h}}),
+                     face(-gp::DX(), {{0, 0, 0}, {0, 0, h}, {0, 4, h}, {0, 4, 0}}),
+                     face(-gp::DY(), {{0, 0, 0}, {4, 0, 0}, {4, 0, h}, {0, 0, h}}),
+                     face(gp::DX(), {{4, 0, 0}, {4, 3, 0}, {4, 4.5, h}, {4, 0, h}}),
+                     face(gp::DY(), {{3, 4, 0}, {0, 4, 0}, {0, 4, h}, {4.5, 4, h}}),
+                     face(gp_Dir(1, 1, -1), {{4, 3, 0}, {3, 4, 0}, {4.5, 4, h}, {4, 4.5, h}})});
 }
 
 /// A wire of radius 1 along a path that comes back over itself, 0.7 higher than it went.

@@ -111,6 +111,19 @@ TEST(UniteCrossed, APinBentTighterThanItIsThick) {
   EXPECT_EQ(note_with(model_from_shape(test::bent_pin(1.0, 1.5)), "crosses itself"), "");
 }
 
+TEST(UniteCrossed, AChamferThatNarrowsToNothingAndGoesOn) {
+  const TopoDS_Shape shape = test::plate_with_a_bow_tie();
+  EXPECT_EQ(face_crossings(as_it_is(shape)).size(), 1u) << "the two sides beside the chamfer";
+  const Model model = model_from_shape(shape);
+  expect_sound(model);
+  EXPECT_EQ(model.count(3), 1);
+  EXPECT_EQ(model.count(2), 7);
+  EXPECT_EQ(model.count(0), 10)
+      << "two at the tip are gone, one below it and the chamfer's upper end are new";
+  EXPECT_NEAR(volume_of(model), 24.0 - 1.0 / 6.0, 1e-9);
+  EXPECT_EQ(model.region_at(Vec3(4.1, 4.1, 1.45)), 0) << "the tip was inside out";
+}
+
 TEST(UniteCrossed, ASweepThatPiercesItself) {
   const Model model = model_from_shape(test::looped_wire()), before = as_it_is(test::looped_wire());
   EXPECT_FALSE(face_crossings(before).empty());
