@@ -2,22 +2,13 @@
 // Repairs what is wrong with solids, and says what it changed.
 #pragma once
 
-#include <array>
-#include <vector>
+#include <string>
 
 #include "geom/occt/child_process.h"
+#include "geom/occt/meeting_faces.h"
 #include "geom/occt/solids.h"
 
 namespace octet {
-
-/// Numbers as read of pairs of faces.
-using FaceNumberPairs = std::vector<std::array<int, 2>>;
-
-/// Faces of one solid that meet where the file has no edge.
-struct MeetingFaces {
-  FaceNumberPairs crossing;  ///< to be cut along each other
-  FaceNumberPairs touching;  ///< to be imprinted on each other
-};
 
 struct HealOptions {
   double sew_tolerance = 0.0;     ///< mm; 0: growing ones
