@@ -49,6 +49,19 @@ struct PatchTree::Found {
   UvCell cell;  ///< where it was found
 };
 
+/// The parts of one leaf.
+struct PatchTree::Search {
+  const Segment& segment;
+  double leaf_size;
+  std::vector<Found>& roots;
+  int budget = kBudget;
+};
+
+double PatchTree::Patch::bend() const {
+  const Vec2 h = cell.size();
+  return (h.x() * h.x() * second[0] + 2.0 * h.x() * h.y() * second[1] + h.y() * h.y() * second[2]) / 8.0;
+}
+
 PatchTree::PatchTree(Evaluate evaluate, const std::vector<double>& u_breaks,
                      const std::vector<double>& v_breaks)
     : evaluate_(std::move(evaluate)) {
@@ -91,6 +104,7 @@ void PatchTree::refine(const UvCell& cell, int depth) {
     return;
   }
   patch.box = patch.box.grown(bend_u + bend_v);
+  patch.middle = evaluate_(cell.centre(), 1);
   leaves_.push_back(patch);
 }
 
@@ -159,72 +173,118 @@ Vec2 PatchTree::near(const Vec3& p) const {
   return best->cell.centre();
 }
 
-void PatchTree::solve(const Segment& segment, const Patch& leaf, std::vector<Found>& roots) const {
-  if (is_unique(segment, leaf, leaf.cell)) {
-    SurfaceRoot root;
-    if (newton(segment, leaf.cell, root)) roots.push_back({root, leaf.cell});
-    return;
-  }
-  if (coincide(segment, leaf, roots)) return;
-  int budget = kBudget;
-  solve_cell(segment, leaf, leaf.cell, 0, budget, roots);
-}
-
-void PatchTree::solve_cell(const Segment& segment, const Patch& leaf, const UvCell& cell, int depth,
-                           int& budget, std::vector<Found>& roots) const {
-  if (--budget < 0) return;
-  Box3 box;
-  for (const double u : {cell.lo.x(), cell.hi.x()})
-    for (const double v : {cell.lo.y(), cell.hi.y()}) box.add(evaluate_({u, v}, 0).p);
-  const Vec2 h = cell.size();
-  const double bend_u = h.x() * h.x() * leaf.second[0] / 8.0, bend_v = h.y() * h.y() * leaf.second[2] / 8.0;
-  const double size = box.diagonal();
-  if (!clip(segment.p, segment.d, box.grown(bend_u + bend_v + segment.tolerance))) return;
-  SurfaceRoot root;
-  if (is_unique(segment, leaf, cell)) {
-    if (newton(segment, cell, root)) roots.push_back({root, cell});
-    return;
-  }
-  // A patch that bends less than rounding holds nothing that a further bisection could tell apart.
-  if (depth >= kMaxBisections ||
-      (bend_u + bend_v <= 0.25 * segment.tolerance && size <= 1e-3 * leaf.box.diagonal())) {
-    if (touch(segment, cell, root)) roots.push_back({root, cell});
-    return;
-  }
-  const SurfaceJet jet = evaluate_(cell.centre(), 1);
-  const int axis = jet.du.norm() * h.x() + bend_u >= jet.dv.norm() * h.y() + bend_v ? 0 : 1;
-  // Towards a pole the second derivatives vanish with the cell: bounds of the whole leaf would split for
-  // ever.
-  Patch here = leaf;
-  if (depth % 4 == 3) here.second = leaf.second.cwiseMin(measured(cell).second);
-  UvCell left = cell, right = cell;
-  left.hi[axis] = right.lo[axis] = cell.centre()[axis];
-  solve_cell(segment, here, left, depth + 1, budget, roots);
-  solve_cell(segment, here, right, depth + 1, budget, roots);
+/// Whether the segment stays clear of the patch: of its box, or, within that, of the layer about the plane of
+/// its middle that it bends in. Most segments that graze a leaf's box are told so.
+bool PatchTree::misses(const Segment& segment, const Patch& patch) {
+  constexpr double kCloseBy = 16.0;  // tolerances within which a segment runs in the surface (coincide)
+  constexpr double kLeastSine = 1e-6;
+  const auto part = clip(segment.p, segment.d, patch.box.grown(segment.tolerance));
+  if (!part) return true;
+  const SurfaceJet& middle = patch.middle;
+  const Vec3 n = cross_of(middle);
+  const double size = n.norm();
+  if (size <= kLeastSine * middle.du.norm() * middle.dv.norm()) return false;
+  const double reach = (patch.bend() + kCloseBy * segment.tolerance) * size;
+  const double start = n.dot(segment.p - middle.p), way = n.dot(segment.d);
+  const double a = start + part->first * way, b = start + part->second * way;
+  return (a > reach && b > reach) || (a < -reach && b < -reach);
 }
 
 /// The surface seen along the segment is a map of the plane; where its derivative varies less over the cell
 /// than its inverse allows, the map is one-to-one there.
-bool PatchTree::is_unique(const Segment& segment, const Patch& leaf, const UvCell& cell) const {
-  const SurfaceJet jet = evaluate_(cell.centre(), 1);
-  const Vec2 h = cell.size();
+bool PatchTree::is_unique(const Segment& segment, const Patch& patch) {
+  const SurfaceJet& jet = patch.middle;
+  const Vec2 h = patch.cell.size();
   const Vec3 along = segment.d / segment.length;
   const Vec3 a = (jet.du - jet.du.dot(along) * along) * h.x(),
              b = (jet.dv - jet.dv.dot(along) * along) * h.y();
   const double det = std::abs(a.cross(b).dot(along));
-  const double da = h.x() * 0.5 * (h.x() * leaf.second[0] + h.y() * leaf.second[1]);
-  const double db = h.y() * 0.5 * (h.x() * leaf.second[1] + h.y() * leaf.second[2]);
+  const double da = h.x() * 0.5 * (h.x() * patch.second[0] + h.y() * patch.second[1]);
+  const double db = h.y() * 0.5 * (h.x() * patch.second[1] + h.y() * patch.second[2]);
   return std::sqrt((a.squaredNorm() + b.squaredNorm()) * (da * da + db * db)) < kUnique * det;
 }
 
-/// Newton on S(u,v) = p + t d from the cell's centre; fails when it leaves the cell's neighbourhood.
-bool PatchTree::newton(const Segment& segment, const UvCell& cell, SurfaceRoot& root) const {
+/// At a cell too small to be split: a root if the segment comes within rounding.
+bool PatchTree::touch(const Segment& segment, const Patch& patch, SurfaceRoot& root) {
+  const SurfaceJet& jet = patch.middle;
+  const double t = std::clamp((jet.p - segment.p).dot(segment.d) / segment.d.squaredNorm(), 0.0, 1.0);
+  const Vec2 h = patch.cell.size();
+  const double size = jet.du.norm() * h.x() + jet.dv.norm() * h.y();
+  const Vec3 n = cross_of(jet);
+  const Vec3 r = segment.p + t * segment.d - jet.p;
+  const double height = n.norm() > 0.0 ? std::abs(n.dot(r)) / n.norm() : r.norm();
+  if (height > 4.0 * segment.tolerance || r.norm() > size + 4.0 * segment.tolerance) return false;
+  const bool flat = std::abs(n.dot(segment.d)) <= 1e-3 * n.norm() * segment.length;
+  root = {t, patch.cell.centre(), flat, false};
+  return true;
+}
+
+void PatchTree::solve(const Segment& segment, const Patch& leaf, std::vector<Found>& roots) const {
+  if (misses(segment, leaf)) return;
+  if (is_unique(segment, leaf)) {
+    SurfaceRoot root;
+    if (newton(segment, leaf, root)) roots.push_back({root, leaf.cell});
+    return;
+  }
+  if (coincide(segment, leaf, roots)) return;
+  Search search{segment, leaf.box.diagonal(), roots};
+  halve(search, leaf, 0);
+}
+
+/// With the bounds of the whole, and a box that follows from them.
+PatchTree::Patch PatchTree::part_of(const Patch& whole, const UvCell& cell) const {
+  Patch part;
+  part.cell = cell;
+  part.second = whole.second;
+  part.middle = evaluate_(cell.centre(), 1);
+  const Vec2 half = 0.5 * cell.size();
+  const Vec3 reach = half.x() * part.middle.du.cwiseAbs() + half.y() * part.middle.dv.cwiseAbs();
+  part.box.add(part.middle.p - reach);
+  part.box.add(part.middle.p + reach);
+  part.box = part.box.grown(part.bend());
+  return part;
+}
+
+void PatchTree::halve(Search& search, const Patch& patch, int depth) const {
+  const Vec2 h = patch.cell.size();
+  const auto extent = [&](int axis, const Vec3& along) {
+    return along.norm() * h[axis] + h[axis] * h[axis] * patch.second[2 * axis] / 8.0;
+  };
+  const int axis = extent(0, patch.middle.du) >= extent(1, patch.middle.dv) ? 0 : 1;
+  // Towards a pole the second derivatives vanish with the cell: bounds of the whole leaf would split for
+  // ever.
+  Patch here = patch;
+  if (depth % 4 == 3) here.second = patch.second.cwiseMin(measured(patch.cell).second);
+  UvCell left = patch.cell, right = patch.cell;
+  left.hi[axis] = right.lo[axis] = patch.cell.centre()[axis];
+  solve_part(search, part_of(here, left), depth + 1);
+  solve_part(search, part_of(here, right), depth + 1);
+}
+
+void PatchTree::solve_part(Search& search, const Patch& part, int depth) const {
+  if (--search.budget < 0 || misses(search.segment, part)) return;
+  SurfaceRoot root;
+  if (is_unique(search.segment, part)) {
+    if (newton(search.segment, part, root)) search.roots.push_back({root, part.cell});
+    return;
+  }
+  // A patch that bends less than rounding holds nothing that a further bisection could tell apart.
+  const bool is_tiny =
+      part.bend() <= 0.25 * search.segment.tolerance && part.box.diagonal() <= 1e-3 * search.leaf_size;
+  if (depth < kMaxBisections && !is_tiny) return halve(search, part, depth);
+  if (touch(search.segment, part, root)) search.roots.push_back({root, part.cell});
+}
+
+/// Newton on S(u,v) = p + t d from the cell's middle; fails when it leaves the cell's neighbourhood.
+bool PatchTree::newton(const Segment& segment, const Patch& patch, SurfaceRoot& root) const {
+  const UvCell& cell = patch.cell;
   Vec2 uv = cell.centre();
   const Vec2 reach = 1.5 * cell.size();
   double t = 0.0;
   double last = std::numeric_limits<double>::infinity();
+  SurfaceJet jet = patch.middle;
   for (int iteration = 0; iteration < 16; ++iteration) {
-    const SurfaceJet jet = evaluate_(uv, 1);
+    if (iteration > 0) jet = evaluate_(uv, 1);
     const Vec3 n = cross_of(jet), r = jet.p - segment.p;
     const double nd = n.dot(segment.d);
     if (nd == 0.0) return false;
@@ -248,21 +308,6 @@ bool PatchTree::newton(const Segment& segment, const UvCell& cell, SurfaceRoot& 
   const double miss = (evaluate_(uv, 0).p - segment.p - t * segment.d).norm();
   if (!(miss <= 1e3 * segment.tolerance)) return false;
   root = {t, uv, false, false};
-  return true;
-}
-
-/// At a cell too small to be split: a root if the segment comes within rounding.
-bool PatchTree::touch(const Segment& segment, const UvCell& cell, SurfaceRoot& root) const {
-  const SurfaceJet jet = evaluate_(cell.centre(), 1);
-  const double t = std::clamp((jet.p - segment.p).dot(segment.d) / segment.d.squaredNorm(), 0.0, 1.0);
-  const Vec2 h = cell.size();
-  const double size = jet.du.norm() * h.x() + jet.dv.norm() * h.y();
-  const Vec3 n = cross_of(jet);
-  const Vec3 r = segment.p + t * segment.d - jet.p;
-  const double height = n.norm() > 0.0 ? std::abs(n.dot(r)) / n.norm() : r.norm();
-  if (height > 4.0 * segment.tolerance || r.norm() > size + 4.0 * segment.tolerance) return false;
-  const bool flat = std::abs(n.dot(segment.d)) <= 1e-3 * n.norm() * segment.length;
-  root = {t, cell.centre(), flat, false};
   return true;
 }
 

@@ -21,7 +21,7 @@ struct UvCell {
 ///
 /// Invariants: the cells of the leaves tile the (u,v) box; |Suu|, |Suv|, |Svv| stay below the leaf's bounds
 /// (sampled, then inflated: not a proof), so that a patch lies within (hu^2 |Suu| + hv^2 |Svv|) / 8 of the
-/// hull of its corners. Memory: about 200 bytes a leaf. Immutable, thread-safe.
+/// hull of its corners. Memory: about 350 bytes a leaf. Immutable, thread-safe.
 class PatchTree {
  public:
   using Evaluate = std::function<SurfaceJet(const Vec2& uv, int derivatives)>;
@@ -46,6 +46,9 @@ class PatchTree {
     UvCell cell;
     Vec3 second = Vec3::Zero();  ///< bounds of |Suu|, |Suv|, |Svv|
     Box3 box;
+    SurfaceJet middle;  ///< at the cell's middle, with first derivatives
+    /// How far the patch lies off the parallelogram of the middle's derivatives, at most [Taylor].
+    [[nodiscard]] double bend() const;
   };
   struct Node {
     Box3 box;
@@ -53,6 +56,7 @@ class PatchTree {
   };
   struct Segment;
   struct Found;
+  struct Search;
   struct Crossing {
     SurfaceRoot root;
     Vec3 point;   ///< on the surface
@@ -63,11 +67,13 @@ class PatchTree {
   [[nodiscard]] Patch measured(const UvCell& cell) const;
   std::int32_t build(std::vector<std::int32_t>& order, std::size_t begin, std::size_t end);
   void solve(const Segment& segment, const Patch& leaf, std::vector<Found>& roots) const;
-  void solve_cell(const Segment& segment, const Patch& leaf, const UvCell& cell, int depth, int& budget,
-                  std::vector<Found>& roots) const;
-  [[nodiscard]] bool is_unique(const Segment& segment, const Patch& leaf, const UvCell& cell) const;
-  bool newton(const Segment& segment, const UvCell& cell, SurfaceRoot& root) const;
-  bool touch(const Segment& segment, const UvCell& cell, SurfaceRoot& root) const;
+  [[nodiscard]] static bool misses(const Segment& segment, const Patch& patch);
+  [[nodiscard]] static bool is_unique(const Segment& segment, const Patch& patch);
+  [[nodiscard]] static bool touch(const Segment& segment, const Patch& patch, SurfaceRoot& root);
+  [[nodiscard]] Patch part_of(const Patch& whole, const UvCell& cell) const;
+  void halve(Search& search, const Patch& patch, int depth) const;
+  void solve_part(Search& search, const Patch& part, int depth) const;
+  bool newton(const Segment& segment, const Patch& patch, SurfaceRoot& root) const;
   bool coincide(const Segment& segment, const Patch& leaf, std::vector<Found>& roots) const;
   [[nodiscard]] Crossing crossing_of(const Segment& segment, const Found& found) const;
   void add(const Segment& segment, const Found& found, std::vector<Crossing>& crossings) const;
