@@ -133,23 +133,37 @@ class Refiner {
   bool split_all() {
     bool split = false;
     const auto count = static_cast<std::int32_t>(plane_.triangles.size());
-    for (std::int32_t t = 0; t < count && !full(); ++t) {
-      bool side_split = false;
-      for (int k = 0; k < 3 && !side_split; ++k) {
-        const auto& triangle = plane_.triangles[t];
-        const std::uint32_t i = triangle.corner[(k + 1) % 3], j = triangle.corner[(k + 2) % 3];
-        if (triangle.neighbour[k] == PlanarTriangulation::kNone || !side_too_coarse(i, j)) continue;
-        if (const auto point = plane_.split_side(t, k)) {
-          add_point(*point);
-          side_split = split = true;
-        }
-      }
-      if (!side_split && centre_too_far(plane_.triangles[t].corner)) {
-        add_point(plane_.split_triangle(t));
-        split = true;
+    fine_.resize(plane_.triangles.size());
+    for (std::int32_t t = 0; t < count && !full(); ++t)
+      if (!is_fine(t) && split_at(t)) split = true;
+    return split;
+  }
+
+  /// Whether the triangle and its sides have been looked at, and are fine; such need no more looks.
+  [[nodiscard]] bool is_fine(std::int32_t t) const {
+    return static_cast<std::size_t>(t) < fine_.size() && fine_[t] == plane_.triangles[t].corner;
+  }
+
+  /// Splits a side of the triangle, or the triangle itself, where that is needed.
+  bool split_at(std::int32_t t) {
+    bool any_coarse = false;
+    for (int k = 0; k < 3; ++k) {
+      const auto& triangle = plane_.triangles[t];
+      const std::int32_t beyond = triangle.neighbour[k];
+      const std::uint32_t i = triangle.corner[(k + 1) % 3], j = triangle.corner[(k + 2) % 3];
+      if (beyond == PlanarTriangulation::kNone || is_fine(beyond) || !side_too_coarse(i, j)) continue;
+      any_coarse = true;
+      if (const auto point = plane_.split_side(t, k)) {
+        add_point(*point);
+        return true;
       }
     }
-    return split;
+    if (!centre_too_far(plane_.triangles[t].corner)) {
+      if (!any_coarse) fine_[t] = plane_.triangles[t].corner;
+      return false;
+    }
+    add_point(plane_.split_triangle(t));
+    return true;
   }
 
   const SurfaceJets& surface_;
@@ -159,6 +173,7 @@ class Refiner {
   std::size_t given_;
   double cosine_ = 1.0;
   std::vector<Vec3> position_, normal_;
+  std::vector<std::array<std::uint32_t, 3>> fine_;  ///< per triangle: its corners when it was found fine
 };
 
 struct LoopSide {

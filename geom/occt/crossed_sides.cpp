@@ -73,7 +73,7 @@ struct Lie {
 class Corner {
  public:
   Corner(const TopoDS_Face& face, const TopoDS_Edge& a, const TopoDS_Edge& b, const TopoDS_Vertex& at)
-      : surface_(face), a_(a, at), b_(b, at) {
+      : surface_(face, false), a_(a, at), b_(b, at) {
     pcurve_ = BRep_Tool::CurveOnSurface(b, face, first_, last_);
     tolerance_ = std::max(BRep_Tool::Tolerance(a), BRep_Tool::Tolerance(b));
   }

@@ -76,9 +76,6 @@ class Healer {
   }
 
  private:
-  [[nodiscard]] double smallest_of(const TopoDS_Shape& solid) const {
-    return std::max(options_.smallest_feature, kVanishingShare * diagonal_of(box_of(solid)));
-  }
   [[nodiscard]] std::string smallest_name() const {
     return options_.smallest_feature > 0.0 ? fmt::format("{:.4g} mm", options_.smallest_feature)
                                            : "rounding leaves";
@@ -156,22 +153,32 @@ class Healer {
   }
 
   void take_small_features(TopoDS_Shape& solid) {
-    const std::string smallest = smallest_name();
-    adopt(solid, shrink_spots(solid, smallest_of(solid)), 2,
-          "are no larger than " + smallest + " and became vertices");
-    adopt(solid, merge_strips(solid, smallest_of(solid)), 2,
-          "are no wider than the tolerance or the gaps of their sides, or than " + smallest +
-              ", and became edges");
-    adopt(solid, merge_rings(solid, smallest_of(solid)), 2,
-          "are rings no wider than " + smallest + " and became edges");
-    adopt(solid, drop_short_edges(solid, smallest_of(solid)), 1,
-          "are no longer than " + smallest + " and became vertices");
-    adopt(solid, split_touched_edges(solid, smallest_of(solid)), 1,
+    // OCCT's box of a surface of revolution takes thousands of points: it is asked anew only where something
+    // went, which may have shot far out of the part.
+    TopoDS_Shape boxed = solid;
+    double diagonal = diagonal_of(box_of(solid));
+    const auto current_diagonal = [&] {
+      if (!solid.IsSame(boxed)) diagonal = diagonal_of(box_of(solid));
+      boxed = solid;
+      return diagonal;
+    };
+    const auto smallest = [&] {
+      return std::max(options_.smallest_feature, kVanishingShare * current_diagonal());
+    };
+    const std::string name = smallest_name();
+    adopt(solid, shrink_spots(solid, smallest()), 2, "are no larger than " + name + " and became vertices");
+    adopt(
+        solid, merge_strips(solid, smallest()), 2,
+        "are no wider than the tolerance or the gaps of their sides, or than " + name + ", and became edges");
+    adopt(solid, merge_rings(solid, smallest()), 2, "are rings no wider than " + name + " and became edges");
+    adopt(solid, drop_short_edges(solid, smallest()), 1,
+          "are no longer than " + name + " and became vertices");
+    adopt(solid, split_touched_edges(solid, smallest()), 1,
           "are touched by a vertex of their face and were split there");
-    const double hairline = std::max(smallest_of(solid), kHairlineShare * diagonal_of(box_of(solid)));
+    const double hairline = std::max(smallest(), kHairlineShare * current_diagonal());
     split_crossed(solid, hairline);
     adopt(solid, close_hairlines(solid, hairline), 1,
-          "were sides of spikes or slits no wider than their tolerance, or than " + smallest +
+          "were sides of spikes or slits no wider than their tolerance, or than " + name +
               ", and became one with those beside them");
   }
 

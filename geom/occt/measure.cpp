@@ -78,10 +78,16 @@ double gap_on_face(const TopoDS_Edge& edge, const TopoDS_Face& face, const Surfa
 double edge_gap(const Numbering& numbering, int tag, std::span<const int> faces, const ModelParts& parts) {
   const ModelEdge& edge = parts.edges[tag];
   double gap = 0.0;
-  for (const int face : faces)
-    for (const TopAbs_Orientation way : {TopAbs_FORWARD, TopAbs_REVERSED})
-      gap = std::max(gap, gap_on_face(TopoDS::Edge(numbering.edge(tag).Oriented(way)), numbering.face(face),
-                                      *parts.surfaces[face], *parts.curves[tag], edge));
+  const auto gap_along = [&](int face, TopAbs_Orientation way) {
+    return gap_on_face(TopoDS::Edge(numbering.edge(tag).Oriented(way)), numbering.face(face),
+                       *parts.surfaces[face], *parts.curves[tag], edge);
+  };
+  for (const int face : faces) {
+    gap = std::max(gap, gap_along(face, TopAbs_FORWARD));
+    // Where the face does not close on itself there both ways have the same curve.
+    if (BRep_Tool::IsClosed(numbering.edge(tag), numbering.face(face)))
+      gap = std::max(gap, gap_along(face, TopAbs_REVERSED));
+  }
   return gap;
 }
 
