@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 #include "base/check.h"
 #include "geom/model_data.h"
@@ -32,15 +33,13 @@ void check_parts(const ModelParts& parts) {
   OCTET_CHECK(parts.facets.uv.size() == parts.facets.triangles.size());
 }
 
-void measure_edges(const ModelParts& parts, std::vector<ArcLength>& arcs,
-                   std::vector<CurveSamples>& samples) {
-  arcs.resize(parts.edges.size());
-  samples.resize(parts.edges.size());
-  for (std::size_t e = 1; e < parts.edges.size(); ++e) {
-    if (!parts.curves[e]) continue;
-    arcs[e] = ArcLength(*parts.curves[e], parts.edges[e].t0, parts.edges[e].t1);
-    samples[e] = CurveSamples(*parts.curves[e], parts.edges[e].t0, parts.edges[e].t1);
-  }
+/// One for each edge with a curve.
+template <class OfCurve>
+std::vector<OfCurve> of_curves(const ModelParts& parts) {
+  std::vector<OfCurve> all(parts.edges.size());
+  for (std::size_t e = 1; e < parts.edges.size(); ++e)
+    if (parts.curves[e]) all[e] = OfCurve(*parts.curves[e], parts.edges[e].t0, parts.edges[e].t1);
+  return all;
 }
 
 bool contains(const std::vector<int>& ascending, int tag) {
@@ -62,7 +61,7 @@ Vec3 Model::Data::normal(int face, const Vec2& uv, std::uint32_t triangle) const
   return n.squaredNorm() > 0.5 ? n : facet_normal(triangle);
 }
 
-Model::Model(ModelParts parts) {
+Model::Model(ModelParts parts, const Model* twin) {
   check_parts(parts);
   auto data = std::make_unique<Data>();
   data->parts = std::move(parts);
@@ -70,8 +69,11 @@ Model::Model(ModelParts parts) {
   Box3 nodes;
   for (const Vec3& x : p.facets.nodes) nodes.add(x);
   data->tolerance = 16e-12 * nodes.diagonal();
-  measure_edges(p, data->arcs, data->samples);
-  data->border = find_border_sides(p, data->samples, data->tolerance);
+  for (const auto& surface : p.surfaces)
+    data->is_plane.push_back(surface && std::string_view(surface->kind()) == "plane");
+  data->arcs = twin ? twin->data_->arcs : of_curves<ArcLength>(p);
+  data->samples = of_curves<CurveSamples>(p);
+  data->border = twin ? twin->data_->border : find_border_sides(p, data->samples, data->tolerance);
   const std::vector<double> grow = facet_growth(p, data->border, data->tolerance);
   data->bvh = FacetBvh(p.facets, grow, static_cast<int>(p.faces.size()) - 1);
   for (std::size_t i = 0; i < p.facets.triangles.size(); ++i) {
@@ -81,11 +83,12 @@ Model::Model(ModelParts parts) {
   }
   for (std::size_t v = 1; v < p.vertices.size(); ++v) data->box.add(p.vertices[v].point);
   data->diagonal = data->box.diagonal();
-  Data* const filled = data.get();
   data_ = std::move(data);
-  // The grid asks the finished model; until it is there every answer is the exact one.
-  filled->grid = RegionGrid(filled->bvh, filled->box, [this](const Vec3& x) { return region_at(x); });
 }
+
+Model::Model(ModelParts parts) : Model(std::move(parts), nullptr) {}
+
+Model Model::moved(ModelParts parts) const { return Model(std::move(parts), this); }
 
 Model::~Model() = default;
 Model::Model(Model&&) noexcept = default;
@@ -208,6 +211,7 @@ Vec3 Model::face_normal(int tag, const Vec2& uv) const {
 }
 
 FaceFoot Model::face_project(int tag, const Vec3& p) const {
+  if (data_->is_plane[static_cast<std::size_t>(tag)]) return face_project(tag, p, Vec2(0.0, 0.0));
   const auto near = data_->bvh.nearest(p, kInfinity, tag);
   return face_project(tag, p, near ? data_->seed(near->triangle, near->weights) : Vec2(0.0, 0.0));
 }

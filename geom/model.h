@@ -140,6 +140,9 @@ class Model {
   ~Model();
   Model(Model&&) noexcept;
   Model& operator=(Model&&) noexcept;
+  /// The part in another place: `parts` are those of this one, turned or moved. Lengths along the edges and
+  /// which facet sides lie on them are as here, and are not found again.
+  [[nodiscard]] Model moved(ModelParts parts) const;
 
   // --- topology -------------------------------------------------------------------------------------------
   [[nodiscard]] int count(int dim) const;  ///< entities of dimension 0..3; tags run from 1 to this
@@ -203,6 +206,11 @@ class Model {
   struct Data;  ///< opaque: geom/model_data.h, for geom/*.cpp
 
  private:
+  Model(ModelParts parts, const Model* twin);
+  void make_grid_once() const;
+  /// region_at() without the grid.
+  [[nodiscard]] int exact_region_at(const Vec3& p) const;
+
   std::unique_ptr<const Data> data_;
 };
 

@@ -2,6 +2,8 @@
 // What a Model holds; for the .cpp files of geom/ only.
 #pragma once
 
+#include <atomic>
+#include <mutex>
 #include <vector>
 
 #include "geom/arc_length.h"
@@ -15,14 +17,24 @@ namespace octet {
 
 struct Model::Data {
   ModelParts parts;
+  std::vector<bool> is_plane;         ///< per face: its feet need no start
   std::vector<ArcLength> arcs;        ///< per edge; empty for degenerate edges
   std::vector<CurveSamples> samples;  ///< per edge
   BorderSides border;
   FacetBvh bvh;
-  RegionGrid grid;
   Box3 box;
   double diagonal = 0.0, tolerance = 0.0;
 
+  /// Made when it is first asked for: a part that is only read and turned has none.
+  mutable RegionGrid made_grid;
+  mutable std::once_flag grid_begun;
+  mutable std::atomic<bool> grid_made{false};
+
+  /// Empty until it is made; the answers are the same, for then all are the exact ones.
+  [[nodiscard]] const RegionGrid& grid() const {
+    static const RegionGrid kNone;
+    return grid_made.load(std::memory_order_acquire) ? made_grid : kNone;
+  }
   [[nodiscard]] const Facets& facets() const { return parts.facets; }
   [[nodiscard]] const Surface& surface(int face) const { return *parts.surfaces[face]; }
   [[nodiscard]] const Curve& curve(int edge) const { return *parts.curves[edge]; }

@@ -107,7 +107,7 @@ class SegmentQuery {
     const FacetBvh& bvh = data_.bvh;
     const Vec3 q = segment_.at(1.0);
     const FacetBvh::Probe probe(segment_.p, q);
-    const bool few = data_.grid.visit_segment(segment_.p, q, [&](std::uint32_t item) {
+    const bool few = data_.grid().visit_segment(segment_.p, q, [&](std::uint32_t item) {
       if (bvh.item_meets(item, probe)) triangles_.push_back(bvh.triangle(item));
     });
     if (!few) bvh.visit_segment(segment_.p, q, [&](std::uint32_t t) { triangles_.push_back(t); });
@@ -435,6 +435,7 @@ void intersect_unsettled(const Model::Data& data, const Vec3& p, const Vec3& q, 
 /// A doubtful event crosses when the regions before and behind it differ: asked half way to its neighbours,
 /// far from the boundary.
 void Model::intersect(const Vec3& p, const Vec3& q, std::vector<Hit>& hits) const {
+  make_grid_once();
   const std::size_t first = hits.size();
   std::vector<std::size_t> doubtful;
   SegmentQuery(*data_, p, q).run(hits, doubtful);

@@ -188,7 +188,21 @@ int region_by_foot(const Model& model, const Model::Data& data, const Vec3& p) {
 
 int Model::region_at(const Vec3& p) const {
   if (!data_->box.contains(p)) return 0;
-  if (const int known = data_->grid.at(p); known != RegionGrid::kUnknown) return known;
+  make_grid_once();
+  const int known = data_->grid().at(p);
+  return known != RegionGrid::kUnknown ? known : exact_region_at(p);
+}
+
+void Model::make_grid_once() const {
+  if (data_->grid_made.load(std::memory_order_acquire)) return;
+  std::call_once(data_->grid_begun, [this] {
+    data_->made_grid =
+        RegionGrid(data_->bvh, data_->box, [this](const Vec3& x) { return exact_region_at(x); });
+    data_->grid_made.store(true, std::memory_order_release);
+  });
+}
+
+int Model::exact_region_at(const Vec3& p) const {
   const auto nearest = data_->bvh.nearest(p, kInfinity);
   if (!nearest) return 0;
   const double band = 3.0 * data_->bvh.grow(nearest->triangle) + 8.0 * data_->tolerance;

@@ -64,7 +64,7 @@ Model turned_model(const Model& model, const Eigen::Matrix3d& turn) {
     if (curve) curve = std::make_shared<TurnedCurve>(std::move(curve), turn);
   for (auto& surface : parts.surfaces)
     if (surface) surface = std::make_shared<TurnedSurface>(std::move(surface), turn);
-  return Model(std::move(parts));
+  return model.moved(std::move(parts));
 }
 
 }  // namespace octet
