@@ -77,7 +77,7 @@ class CrossingFinder {
   void look_along(std::span<const Side> sides) {
     const std::uint32_t a = sides.front().low, b = sides.front().high;
     const Vec3 &p = facets_.nodes[a], &q = facets_.nodes[b];
-    model_.bvh().visit_segment(p, q, [&](std::uint32_t u) {
+    const auto look_at = [&](std::uint32_t u) {
       const auto& corners = facets_.triangles[u];
       for (const std::uint32_t c : corners)
         if (c == a || c == b) return;
@@ -87,7 +87,11 @@ class CrossingFinder {
         if (facets_.face[side.triangle] != facets_.face[u])
           for (const Vec3& seed : {*at, middle_of_common(side.triangle, u, *at)})
             try_pair(facets_.face[side.triangle], facets_.face[u], seed);
-    });
+    };
+    const int face = facets_.face[sides.front().triangle];
+    const bool within_face = std::all_of(
+        sides.begin(), sides.end(), [&](const Side& side) { return facets_.face[side.triangle] == face; });
+    model_.bvh().visit_segment(p, q, look_at, within_face ? face : 0);
   }
 
   /// Where a segment goes through a triangle, its corners and sides included.

@@ -103,7 +103,8 @@ constexpr double kWildFacets = 10.0;
 /// what these are off, meet.
 class TouchCandidates {
  public:
-  TouchCandidates(const Model& model, double near) : of_(static_cast<std::size_t>(model.count(2)) + 1) {
+  TouchCandidates(const Model& model, double near)
+      : of_(static_cast<std::size_t>(model.count(2)) + 1), boxes_(of_.size()) {
     const Facets& facets = model.facets();
     std::vector<double> area(of_.size(), 0.0);
     std::vector<std::vector<Vec3>> corners(of_.size());
@@ -112,20 +113,19 @@ class TouchCandidates {
       corners[at(facets.face[t])].insert(corners[at(facets.face[t])].end(), {a, b, c});
       area[at(facets.face[t])] += triangle_area(a, b, c);
     }
-    std::vector<Box3> boxes(of_.size());
     std::vector<int> order;
     for (int f = 1; f <= model.count(2); ++f) {
       own_boxes_.emplace_back(corners[at(f)]);
       if (corners[at(f)].empty() || area[at(f)] > kWildFacets * model.face(f).area) continue;
-      for (const Vec3& p : corners[at(f)]) boxes[at(f)].add(p);
-      boxes[at(f)] = boxes[at(f)].grown(facets.deviation[at(f)] + near);
+      for (const Vec3& p : corners[at(f)]) boxes_[at(f)].add(p);
+      boxes_[at(f)] = boxes_[at(f)].grown(facets.deviation[at(f)] + near);
       order.push_back(f);
     }
-    const auto low = [&](int f) { return boxes[at(f)].lo.x(); };
+    const auto low = [&](int f) { return boxes_[at(f)].lo.x(); };
     std::sort(order.begin(), order.end(), [&](int f, int g) { return low(f) < low(g); });
     for (auto i = order.begin(); i != order.end(); ++i)
-      for (auto j = i + 1; j != order.end() && low(*j) <= boxes[at(*i)].hi.x(); ++j)
-        if (boxes[at(*i)].overlaps(boxes[at(*j)]) && have_common_region(model.face(*i), model.face(*j)) &&
+      for (auto j = i + 1; j != order.end() && low(*j) <= boxes_[at(*i)].hi.x(); ++j)
+        if (boxes_[at(*i)].overlaps(boxes_[at(*j)]) && have_common_region(model.face(*i), model.face(*j)) &&
             !have_common_vertex(model.face(*i), model.face(*j))) {
           of_[at(*i)].push_back(*j);
           of_[at(*j)].push_back(*i);
@@ -133,13 +133,16 @@ class TouchCandidates {
   }
 
   [[nodiscard]] const std::vector<int>& of(int face) const { return of_[at(face)]; }
+  /// Of the face's facets, grown.
+  [[nodiscard]] const Box3& box(int face) const { return boxes_[at(face)]; }
   /// About the face's facets.
-  [[nodiscard]] const OwnBox& box(int face) const { return own_boxes_[at(face) - 1]; }
+  [[nodiscard]] const OwnBox& own_box(int face) const { return own_boxes_[at(face) - 1]; }
 
  private:
   static std::size_t at(int face) { return static_cast<std::size_t>(face); }
 
   std::vector<std::vector<int>> of_;
+  std::vector<Box3> boxes_;        ///< per face tag, of those that are candidates
   std::vector<OwnBox> own_boxes_;  ///< per face tag - 1
 };
 
@@ -206,9 +209,14 @@ class NearPlaces {
 
   void look_along(int face, const Vec3& from, const Vec3& to) {
     const double half = 0.5 * (to - from).norm();
+    Box3 box;
+    box.add(from);
+    box.add(to);
+    box = box.grown(deviation_of(face));
     for (const int other : candidates_.of(face)) {
+      if (!candidates_.box(other).overlaps(box)) continue;
       const double limit = deviation_of(face) + deviation_of(other) + near_;
-      if (candidates_.box(other).squared_gap(from, to) > limit * limit) continue;
+      if (candidates_.own_box(other).squared_gap(from, to) > limit * limit) continue;
       if (const auto found = nearest_of(from, to, other, limit))
         add({found->first, found->second, 2.0 * half, {face, other}});
     }

@@ -361,7 +361,7 @@ void FacetBvh::near(const Vec3& p, double max_distance, int face, std::vector<Fa
     }
     for (std::int32_t i = node.first; i < node.first - node.second; ++i) {
       const Item& item = items_[i];
-      if (item.height(p) > reach + item.grow) continue;
+      if (item.squared_distance(p) > reach * reach || item.height(p) > reach + item.grow) continue;
       const FacetFoot near = foot(item, p);
       if (near.distance > reach + item.grow) continue;
       feet.push_back(near);

@@ -66,9 +66,10 @@ class FacetBvh {
   FacetBvh(const Facets& facets, std::span<const double> grow, int faces,
            Building building = Building::kOneThread);
 
-  /// Calls visit(triangle) for each triangle that the segment meets, grown; a few more near its corners.
+  /// Calls visit(triangle) for each triangle that the segment meets, grown; a few more near its corners; none
+  /// of the face `but`.
   template <class Visit>
-  void visit_segment(const Vec3& p, const Vec3& q, const Visit& visit) const;
+  void visit_segment(const Vec3& p, const Vec3& q, const Visit& visit, int but = 0) const;
   /// Calls visit(foot) for each triangle within `radius` plus its growth; `face` 0 means all.
   template <class Visit>
   void visit_within(const Vec3& p, double radius, int face, const Visit& visit) const;
@@ -168,16 +169,18 @@ inline double FacetBvh::FloatBox::squared_distance(const Vec3& p) const {
 }
 
 template <class Visit>
-void FacetBvh::visit_segment(const Vec3& p, const Vec3& q, const Visit& visit) const {
+void FacetBvh::visit_segment(const Vec3& p, const Vec3& q, const Visit& visit, int but) const {
   if (root_ < 0) return;
   const Probe probe(p, q);
+  const std::int32_t none = but == 0 ? -1 : face_root_[but];
+  const auto meets = [&](std::int32_t node) { return node != none && probe.meets(nodes_[node]); };
   Stack stack;
-  if (probe.meets(nodes_[root_])) stack.push(root_);
+  if (meets(root_)) stack.push(root_);
   while (stack.size > 0) {
     const Node& node = nodes_[stack.pop()];
     if (node.second >= 0) {
-      if (probe.meets(nodes_[node.second])) stack.push(node.second);
-      if (probe.meets(nodes_[node.first])) stack.push(node.first);
+      if (meets(node.second)) stack.push(node.second);
+      if (meets(node.first)) stack.push(node.first);
       continue;
     }
     for (std::int32_t i = node.first; i < node.first - node.second; ++i)
@@ -247,7 +250,8 @@ std::optional<FacetFoot> FacetBvh::nearest_if(const Vec3& p, double max_distance
     }
     for (std::int32_t i = node.first; i < node.first - node.second; ++i) {
       const double height = items_[i].height(p);
-      if (height * height > best2 || !accept(items_[i].triangle)) continue;
+      if (height * height > best2 || items_[i].squared_distance(p) > best2 || !accept(items_[i].triangle))
+        continue;
       const FacetFoot near = foot(items_[i], p);
       const bool better = near.distance < best.distance ||
                           (near.distance == best.distance && (!found || near.triangle < best.triangle));

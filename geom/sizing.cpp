@@ -133,43 +133,49 @@ void wish_along(const Model& model, const EdgeWalk& walk, const ChordIndex& inde
 /// by more.
 double turning_rate(const Model& model, int face, const std::array<Vec2, 3>& corners) {
   constexpr double kFlat = 0.03;
+  struct Place {
+    Vec3 point, normal;
+  };
   const Surface& surface = model.surface(face);
+  const auto at = [&](const Vec2& uv) { return Place{surface.evaluate(uv, 0).p, surface.normal(uv)}; };
   double all = 0.0, largest = 0.0;
-  const auto add = [&](const Vec2& a, const Vec2& b) {
-    const Vec3 at_a = surface.normal(a), at_b = surface.normal(b);
-    if (at_a.isZero() || at_b.isZero()) return;
-    const double turn = angle_between(at_a, at_b);
-    const double length = (surface.evaluate(a, 0).p - surface.evaluate(b, 0).p).norm();
+  const auto add = [&](const Place& a, const Place& b) {
+    if (a.normal.isZero() || b.normal.isZero()) return;
+    const double turn = angle_between(a.normal, b.normal);
+    const double length = (a.point - b.point).norm();
     all += turn;
     if (length > 0.0) largest = std::max(largest, turn / length);
   };
-  const Vec2 centre = (corners[0] + corners[1] + corners[2]) / 3.0;
-  for (int k = 0; k < 3; ++k) {
-    const Vec2 &a = corners[k], &b = corners[(k + 1) % 3], middle = 0.5 * (a + b);
-    add(a, middle);
-    add(middle, b);
+  const Place centre = at((corners[0] + corners[1] + corners[2]) / 3.0);
+  const std::array<Place, 3> corner{at(corners[0]), at(corners[1]), at(corners[2])};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Place middle = at(0.5 * (corners[k] + corners[(k + 1) % 3]));
+    add(corner[k], middle);
+    add(middle, corner[(k + 1) % 3]);
     add(middle, centre);
   }
   return all < 2.0 * kFlat ? 0.0 : largest;
 }
 
-/// The curvature at the corners, the largest, but no more than twice what the facet turns. Beside a side of
-/// no length derivatives of a patch of splines are small and wrong: its curvature was that of 1e-30 to 0.2 mm
-/// where it is flat to 0.001 radians, at places that depended on how the part was turned.
-double facet_curvature(const Model& model, int face, const std::array<Vec2, 3>& corners) {
+/// The curvature at the corners, the largest, but no more than twice what the facet turns; 0 where it is no
+/// more than `least`. Beside a side of no length derivatives of a patch of splines are small and wrong: its
+/// curvature was that of 1e-30 to 0.2 mm where it is flat to 0.001 radians, at places that depended on how
+/// the part was turned.
+double facet_curvature(const Model& model, int face, const std::array<Vec2, 3>& corners, double least) {
   constexpr double kBelieved = 2.0;
   double curvature = 0.0;
   for (const Vec2& uv : corners) curvature = std::max(curvature, model.face_curvature(face, uv));
-  if (curvature == 0.0) return 0.0;
+  if (curvature <= least) return 0.0;
   return std::min(curvature, kBelieved * turning_rate(model, face, corners));
 }
 
 void wish_on_faces(const Model& model, const SizingOptions& options, Wishes& wishes) {
   const Facets& facets = model.facets();
+  const double least = options.curvature_angle / options.size;  // what asks for no more than the size
   for (std::size_t i = 0; i < facets.triangles.size(); ++i) {
     const int face = facets.face[i];
     if (std::string_view(model.surface(face).kind()) == "plane") continue;
-    const double curvature = facet_curvature(model, face, facets.uv[i]);
+    const double curvature = facet_curvature(model, face, facets.uv[i], least);
     if (curvature > 0.0)
       wish_on_triangle(facet_corners(facets, i),
                        std::max(options.curvature_angle / curvature, options.curvature_floor),

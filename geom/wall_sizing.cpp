@@ -132,17 +132,16 @@ class WallSizer {
     bool any = false;
     std::size_t seen = 0;
     crowded_ = model_.bvh().any_in_box(swept(corners, probe), [&](std::uint32_t t) {
+      if (++seen > kMany) return true;
+      if (!ends(t, probe)) return false;
       const std::array<Vec3, 3> c = facet_corners(facets_, t);
-      Ahead facet{t, is_sheet(t, probe), {}};
       double height = 0.0;
-      for (const Vec3& corner : c) {
-        facet.box.add(corner);
-        height = std::max(height, (corner - corners[0]).dot(probe.direction));
-      }
-      if (!ends(t, probe) || height < 0.5 * model_.tolerance()) return ++seen > kMany;
-      ahead_.push_back(facet);
+      for (const Vec3& corner : c) height = std::max(height, (corner - corners[0]).dot(probe.direction));
+      if (height < 0.5 * model_.tolerance()) return false;
+      Ahead& facet = ahead_.emplace_back(Ahead{t, is_sheet(t, probe), {}});
+      for (const Vec3& corner : c) facet.box.add(corner);
       any = any || facet.is_sheet;
-      return ++seen > kMany;
+      return false;
     });
     return any || crowded_;
   }

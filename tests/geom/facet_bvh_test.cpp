@@ -56,6 +56,24 @@ TEST(FacetBvh, VisitWithinFindsAllThatAreNear) {
   }
 }
 
+TEST(FacetBvh, VisitSegmentLeavesOneFaceOut) {
+  for (const auto& s : test::all_samples(test::tilted_frame(), 0.05)) {
+    Dice dice(3);
+    for (int i = 0; i < 100; ++i) {
+      const Vec3 p = dice.in(s.model.box()), q = dice.in(s.model.box());
+      const int but = 1 + i % s.model.count(2);
+      std::set<std::uint32_t> found, expected;
+      const auto face_of = [&](std::uint32_t t) { return s.model.facets().face[t]; };
+      s.model.bvh().visit_segment(p, q, [&](std::uint32_t t) {
+        if (face_of(t) != but) expected.insert(t);
+      });
+      s.model.bvh().visit_segment(
+          p, q, [&](std::uint32_t t) { found.insert(t); }, but);
+      ASSERT_EQ(found, expected) << s.name;
+    }
+  }
+}
+
 TEST(FacetBvh, NearGivesJustThoseThatMayHoldTheNearestPoint) {
   for (const auto& s : test::all_samples({}, 0.05)) {
     const Facets& f = s.model.facets();
