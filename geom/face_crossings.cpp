@@ -7,11 +7,13 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <utility>
 
 #include "geom/facet_bvh.h"
+#include "geom/model_data.h"
 
 namespace octet {
 namespace {
@@ -178,6 +180,11 @@ class CrossingFinder {
 
 }  // namespace
 
-std::vector<FaceCrossing> face_crossings(const Model& model) { return CrossingFinder(model).run(); }
+const std::vector<FaceCrossing>& Model::crossings() const {
+  std::call_once(data_->crossings_begun, [this] { data_->crossings = CrossingFinder(*this).run(); });
+  return data_->crossings;
+}
+
+const std::vector<FaceCrossing>& face_crossings(const Model& model) { return model.crossings(); }
 
 }  // namespace octet

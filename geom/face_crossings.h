@@ -19,6 +19,7 @@ struct FaceCrossing {
 /// All pairs of faces whose facets cross and whose surfaces then prove to: a point on both surfaces, inside
 /// both loops, farther from the edges than these are off, the surfaces at an angle of 0.02 and more.
 /// Crossings within the facets' deviation may be missed; none is told in error. Ascending by faces.
-[[nodiscard]] std::vector<FaceCrossing> face_crossings(const Model& model);
+/// Looked for once; the model keeps them.
+[[nodiscard]] const std::vector<FaceCrossing>& face_crossings(const Model& model);
 
 }  // namespace octet

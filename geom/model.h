@@ -128,6 +128,7 @@ struct ModelParts {
 };
 
 class FacetBvh;
+struct FaceCrossing;  ///< geom/face_crossings.h
 
 /// The part. Immutable after construction; every member may be called from several threads at once.
 ///
@@ -202,6 +203,10 @@ class Model {
   [[nodiscard]] const FacetBvh& bvh() const;
   [[nodiscard]] const Surface& surface(int face_tag) const;
   [[nodiscard]] const Curve& curve(int edge_tag) const;
+
+  // --- itself ---------------------------------------------------------------------------------------------
+  /// face_crossings(), looked for when they are first asked for.
+  [[nodiscard]] const std::vector<FaceCrossing>& crossings() const;
 
   struct Data;  ///< opaque: geom/model_data.h, for geom/*.cpp
 

@@ -9,6 +9,7 @@
 #include "geom/arc_length.h"
 #include "geom/border_sides.h"
 #include "geom/curve_samples.h"
+#include "geom/face_crossings.h"
 #include "geom/facet_bvh.h"
 #include "geom/model.h"
 #include "geom/region_grid.h"
@@ -24,6 +25,9 @@ struct Model::Data {
   FacetBvh bvh;
   Box3 box;
   double diagonal = 0.0, tolerance = 0.0;
+
+  mutable std::vector<FaceCrossing> crossings;  ///< once they are looked for
+  mutable std::once_flag crossings_begun;
 
   /// Made when it is first asked for: a part that is only read and turned has none.
   mutable RegionGrid made_grid;
