@@ -167,7 +167,7 @@ class Run {
   /// A boundary that crosses itself within the size bounds nothing; what the size cannot tell apart is tried.
   void refuse_crossings() {
     constexpr double kSeenShare = 0.5;
-    for (const FaceCrossing& crossing : face_crossings(part_)) {
+    for (const FaceCrossing& crossing : part_.crossings()) {
       if (crossing.depth > kSeenShare * plan_.asked)
         throw InputError(fmt::format(
             "{} and {} cross at ({:.6g}, {:.6g}, {:.6g}): the part's boundary meets itself, so it "

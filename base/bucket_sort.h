@@ -12,20 +12,28 @@
 
 namespace octet {
 
-/// Sorts by bucket_of(item), in 0..buckets-1, then by `less`. O(n + buckets) where all buckets are small; the
-/// buckets are sorted in parallel.
+/// Who sorts the buckets.
+enum class Sorting { kOneThread, kManyThreads };
+
+/// Sorts by bucket_of(item), in 0..buckets-1, then by `less`. O(n + buckets) where all buckets are small.
 /// Requires fewer than 2^32 items.
 template <class Item, class BucketOf, class Less>
-void bucket_sort(std::vector<Item>& items, std::size_t buckets, const BucketOf& bucket_of, const Less& less) {
+void bucket_sort(std::vector<Item>& items, std::size_t buckets, const BucketOf& bucket_of, const Less& less,
+                 Sorting sorting = Sorting::kManyThreads) {
   std::vector<std::uint32_t> end(buckets + 1, 0);
   for (const Item& item : items) ++end[bucket_of(item) + 1];
   for (std::size_t b = 0; b < buckets; ++b) end[b + 1] += end[b];
   std::vector<Item> sorted(items.size());
   for (const Item& item : items) sorted[end[bucket_of(item)]++] = item;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, buckets, 4096), [&](const auto& range) {
+  const tbb::blocked_range<std::size_t> all(0, buckets, 4096);
+  const auto sort_buckets = [&](const tbb::blocked_range<std::size_t>& range) {
     for (std::size_t b = range.begin(); b != range.end(); ++b)
       std::sort(sorted.begin() + (b == 0 ? 0 : end[b - 1]), sorted.begin() + end[b], less);
-  });
+  };
+  if (sorting == Sorting::kOneThread)
+    sort_buckets(all);
+  else
+    tbb::parallel_for(all, sort_buckets);
   items.swap(sorted);
 }
 

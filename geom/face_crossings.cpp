@@ -11,7 +11,9 @@
 #include <optional>
 #include <span>
 #include <utility>
+#include <vector>
 
+#include "base/bucket_sort.h"
 #include "geom/facet_bvh.h"
 #include "geom/model_data.h"
 
@@ -53,25 +55,22 @@ class CrossingFinder {
     std::uint32_t low = 0, high = 0, triangle = 0;
   };
 
-  /// Each with the others of the same nodes: by the lower node, of which there are few.
+  /// Each with the others of the same nodes: by the lower node, of which there are few. In this thread alone:
+  /// crossings are looked for between two readings, and a process with more threads could not fork then.
   [[nodiscard]] std::vector<Side> all_sides() const {
-    std::vector<std::uint32_t> begin(facets_.nodes.size() + 1, 0);
-    const auto for_all = [&](const auto& visit) {
-      for (std::uint32_t t = 0; t < facets_.triangles.size(); ++t)
-        for (int k = 0; k < 3; ++k) {
-          const auto [low, high] = std::minmax(facets_.triangles[t][k], facets_.triangles[t][(k + 1) % 3]);
-          visit(Side{low, high, t});
-        }
-    };
-    for_all([&](const Side& side) { ++begin[side.low + 1]; });
-    for (std::size_t i = 1; i < begin.size(); ++i) begin[i] += begin[i - 1];
-    std::vector<Side> sides(begin.back());
-    std::vector<std::uint32_t> next = begin;
-    for_all([&](const Side& side) { sides[next[side.low]++] = side; });
-    for (std::size_t i = 0; i + 1 < begin.size(); ++i)
-      std::sort(sides.begin() + begin[i], sides.begin() + begin[i + 1], [](const Side& a, const Side& b) {
-        return std::pair(a.high, a.triangle) < std::pair(b.high, b.triangle);
-      });
+    std::vector<Side> sides;
+    sides.reserve(3 * facets_.triangles.size());
+    for (std::uint32_t t = 0; t < facets_.triangles.size(); ++t)
+      for (int k = 0; k < 3; ++k) {
+        const auto [low, high] = std::minmax(facets_.triangles[t][k], facets_.triangles[t][(k + 1) % 3]);
+        sides.push_back({low, high, t});
+      }
+    bucket_sort(
+        sides, facets_.nodes.size(), [](const Side& side) { return side.low; },
+        [](const Side& a, const Side& b) {
+          return std::pair(a.high, a.triangle) < std::pair(b.high, b.triangle);
+        },
+        Sorting::kOneThread);
     return sides;
   }
 
@@ -184,7 +183,5 @@ const std::vector<FaceCrossing>& Model::crossings() const {
   std::call_once(data_->crossings_begun, [this] { data_->crossings = CrossingFinder(*this).run(); });
   return data_->crossings;
 }
-
-const std::vector<FaceCrossing>& face_crossings(const Model& model) { return model.crossings(); }
 
 }  // namespace octet

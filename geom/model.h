@@ -205,7 +205,10 @@ class Model {
   [[nodiscard]] const Curve& curve(int edge_tag) const;
 
   // --- itself ---------------------------------------------------------------------------------------------
-  /// face_crossings(), looked for when they are first asked for.
+  /// All pairs of faces whose facets cross and whose surfaces then prove to: a point on both surfaces, inside
+  /// both loops, farther from the edges than these are off, the surfaces at an angle of 0.02 and more.
+  /// Crossings within the facets' deviation may be missed; none is told in error. Ascending by faces.
+  /// Looked for when they are first asked for, and kept.
   [[nodiscard]] const std::vector<FaceCrossing>& crossings() const;
 
   struct Data;  ///< opaque: geom/model_data.h, for geom/*.cpp

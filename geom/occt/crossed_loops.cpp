@@ -2,7 +2,6 @@
 // Crossings in (u,v), a vertex at each, and there loops turn aside instead of going on.
 #include "geom/occt/crossed_loops.h"
 
-#include <BRepTools_ReShape.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <BndLib_Add2dCurve.hxx>
@@ -16,13 +15,13 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
-#include <TopoDS_Shell.hxx>
 #include <TopoDS_Wire.hxx>
 
 #include <algorithm>
 #include <vector>
 
 #include "geom/occt/edge_cuts.h"
+#include "geom/occt/face_parts.h"
 #include "geom/occt/sub_shapes.h"
 
 namespace octet {
@@ -113,18 +112,6 @@ struct Lobe {
   std::vector<TopoDS_Edge> edges;
   double area = 0.0;  ///< in (u,v), negative where it runs the wrong way
 };
-
-double area_along(const TopoDS_Edge& edge, const TopoDS_Face& face) {
-  constexpr int kPieces = 16;
-  double first = 0.0, last = 0.0, area = 0.0;
-  const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, face, first, last);
-  for (int i = 0; i < kPieces; ++i) {
-    const gp_Pnt2d a = curve->Value(first + (last - first) * i / kPieces),
-                   b = curve->Value(first + (last - first) * (i + 1) / kPieces);
-    area += 0.5 * (a.X() * b.Y() - a.Y() * b.X());
-  }
-  return edge.Orientation() == TopAbs_REVERSED ? -area : area;
-}
 
 bool same_curve(const TopoDS_Edge& a, const TopoDS_Edge& b) {
   double first = 0.0, last = 0.0;
@@ -219,29 +206,13 @@ std::vector<TopoDS_Face> parts_of(const TopoDS_Face& face, const TopTools_Indexe
 }  // namespace
 
 Repair split_crossed_loops(const TopoDS_Shape& solid) {
-  Repair result = no_repair(solid);
   const Search search(solid);
-  if (search.faces().IsEmpty()) return result;
-  const Repair cut = search.cut(solid);
-  const BRep_Builder builder;
-  const Handle(BRepTools_ReShape) changes = new BRepTools_ReShape;
-  for (int i = 1; i <= search.faces().Extent(); ++i) {
-    const TopTools_ListOfShape& now = cut.history->Modified(search.faces()(i));
-    if (now.Extent() != 1) continue;
-    const TopoDS_Face whole = TopoDS::Face(now.First().Oriented(TopAbs_FORWARD));
-    const std::vector<TopoDS_Face> parts = parts_of(whole, search.vertices());
-    if (parts.size() < 2) continue;
-    TopoDS_Shell shell;
-    builder.MakeShell(shell);
-    for (const TopoDS_Face& part : parts) builder.Add(shell, part);
-    changes->Replace(whole, shell);
-    result.entities.push_back(search.faces()(i));
-  }
-  if (result.entities.empty()) return result;
-  result.solid = changes->Apply(cut.solid);
-  result.history->Merge(cut.history);
-  result.history->Merge(changes->History());
-  return result;
+  if (search.faces().IsEmpty()) return no_repair(solid);
+  FaceParts parts(solid, search.cut(solid));
+  for (int i = 1; i <= search.faces().Extent(); ++i)
+    parts.part(TopoDS::Face(search.faces()(i)),
+               [&](const TopoDS_Face& face) { return parts_of(face, search.vertices()); });
+  return parts.apply();
 }
 
 }  // namespace octet

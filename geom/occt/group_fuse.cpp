@@ -26,6 +26,7 @@
 #include "geom/occt/contact_circle.h"
 #include "geom/occt/edge_uses.h"
 #include "geom/occt/shape_box.h"
+#include "geom/occt/shape_volume.h"
 
 namespace octet {
 namespace {
@@ -111,10 +112,9 @@ class Owners {
 
 /// Twice the volume over the surface: of a plate that is its thickness.
 double thickness_of(const TopoDS_Shape& solid) {
-  GProp_GProps volume, area;
-  BRepGProp::VolumeProperties(solid, volume);
+  GProp_GProps area;
   BRepGProp::SurfaceProperties(solid, area);
-  return 2.0 * std::abs(volume.Mass()) / area.Mass();
+  return 2.0 * std::abs(volume_of(solid)) / area.Mass();
 }
 
 /// The edges that end at each vertex.

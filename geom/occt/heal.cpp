@@ -5,9 +5,7 @@
 #include <fmt/format.h>
 
 #include <BRepClass3d_SolidClassifier.hxx>
-#include <BRepGProp.hxx>
 #include <BRep_Builder.hxx>
-#include <GProp_GProps.hxx>
 #include <Precision.hxx>
 #include <ShapeFix_Shell.hxx>
 #include <TopExp_Explorer.hxx>
@@ -26,6 +24,7 @@
 #include "geom/occt/rings.h"
 #include "geom/occt/sew.h"
 #include "geom/occt/shape_box.h"
+#include "geom/occt/shape_volume.h"
 #include "geom/occt/short_edges.h"
 #include "geom/occt/strips.h"
 #include "geom/occt/touched_edges.h"
@@ -40,12 +39,6 @@ constexpr double kHairlineShare = 1e-6;
 /// What changes more of a solid's volume, all together, is no small feature of it: the solid is one, or a
 /// sheet.
 constexpr double kMostVolumeShare = 0.05;
-
-double volume_of(const TopoDS_Shape& solid) {
-  GProp_GProps properties;
-  BRepGProp::VolumeProperties(solid, properties);
-  return properties.Mass();
-}
 
 class Healer {
  public:

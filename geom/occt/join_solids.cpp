@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "base/error.h"
+#include "geom/facet_volumes.h"
 #include "geom/occt/heal.h"
 #include "geom/occt/measure.h"
 #include "geom/occt/shape_box.h"
@@ -18,22 +19,6 @@
 
 namespace octet {
 namespace {
-
-/// Volume within the facets of each region, by tag.
-std::vector<double> facet_volumes(const ModelParts& parts) {
-  std::vector<double> volume(parts.regions.size(), 0.0);
-  const Facets& facets = parts.facets;
-  for (std::size_t i = 0; i < facets.triangles.size(); ++i) {
-    const auto& [a, b, c] = facets.triangles[i];
-    const Vec3 origin = facets.nodes.front();
-    const double share =
-        (facets.nodes[a] - origin).dot((facets.nodes[b] - origin).cross(facets.nodes[c] - origin)) / 6.0;
-    const auto& region = parts.faces[facets.face[i]].region;
-    volume[region[0]] += share;
-    volume[region[1]] -= share;
-  }
-  return volume;
-}
 
 /// Turns solids that fill all space but a hole, where faces know one side only; returns whether there were
 /// any.

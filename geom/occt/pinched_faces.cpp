@@ -4,28 +4,26 @@
 
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepTools.hxx>
-#include <BRepTools_ReShape.hxx>
 #include <BRepTools_WireExplorer.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2d_Curve.hxx>
 #include <Geom2d_Line.hxx>
-#include <Geom_Surface.hxx>
 #include <Precision.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
-#include <TopoDS_Shell.hxx>
 #include <TopoDS_Wire.hxx>
 #include <gp_Lin2d.hxx>
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <utility>
+#include <vector>
 
 #include "geom/occt/edge_cuts.h"
-#include "geom/occt/shape_box.h"
+#include "geom/occt/face_parts.h"
 #include "geom/occt/sub_shapes.h"
 
 namespace octet {
@@ -214,22 +212,8 @@ class Parting {
   struct Loop {
     TopoDS_Wire wire;
     std::size_t band = 0;
-    double area = 0.0;
+    double area = 0.0;  ///< in (u,v), negative for a hole
   };
-
-  /// Of the polygon of the sides' middles and ends.
-  void grow(Loop& loop, const Side& side) const {
-    double t0 = 0.0, t1 = 0.0;
-    const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(side.edge, face_, t0, t1);
-    constexpr int kPieces = 16;
-    const bool back = side.edge.Orientation() == TopAbs_REVERSED;
-    for (int i = 0; i < kPieces; ++i) {
-      gp_Pnt2d a = curve->Value(t0 + (t1 - t0) * i / kPieces),
-               b = curve->Value(t0 + (t1 - t0) * (i + 1) / kPieces);
-      if (back) std::swap(a, b);
-      loop.area += 0.5 * (a.X() * b.Y() - a.Y() * b.X());
-    }
-  }
 
   std::vector<Loop> loops() const {
     const BRep_Builder builder;
@@ -243,7 +227,7 @@ class Parting {
       for (std::size_t i = s; !used[i]; i = sides_[i].next) {
         used[i] = true;
         builder.Add(loop.wire, sides_[i].edge);
-        grow(loop, sides_[i]);
+        loop.area += area_along(sides_[i].edge, face_);
       }
       loop.wire.Closed(true);
       found.push_back(loop);
@@ -318,31 +302,13 @@ Repair cut_edges(const TopoDS_Shape& solid, const std::vector<Pinched>& pinched,
 }  // namespace
 
 Repair split_pinched_faces(const TopoDS_Shape& solid) {
-  Repair result = no_repair(solid);
   const std::vector<Pinched> pinched = pinched_faces(solid);
-  if (pinched.empty()) return result;
+  if (pinched.empty()) return no_repair(solid);
   PoleVertices vertices(solid);
-  const Repair cut = cut_edges(solid, pinched, vertices);
-  const BRep_Builder builder;
-  const Handle(BRepTools_ReShape) changes = new BRepTools_ReShape;
-  for (const auto& [face, poles] : pinched) {
-    TopTools_ListOfShape now = cut.history->Modified(face);
-    if (now.IsEmpty()) now.Append(face);
-    if (now.Extent() != 1) continue;
-    const TopoDS_Face whole = TopoDS::Face(now.First().Oriented(TopAbs_FORWARD));
-    const std::vector<TopoDS_Face> parts = Parting(whole, poles, vertices).run();
-    if (parts.size() < 2) continue;
-    TopoDS_Shell shell;
-    builder.MakeShell(shell);
-    for (const TopoDS_Face& part : parts) builder.Add(shell, part);
-    changes->Replace(whole, shell);
-    result.entities.push_back(face);
-  }
-  if (result.entities.empty()) return result;
-  result.solid = changes->Apply(cut.solid);
-  result.history->Merge(cut.history);
-  result.history->Merge(changes->History());
-  return result;
+  FaceParts parts(solid, cut_edges(solid, pinched, vertices));
+  for (const Pinched& it : pinched)
+    parts.part(it.face, [&](const TopoDS_Face& face) { return Parting(face, it.poles, vertices).run(); });
+  return parts.apply();
 }
 
 }  // namespace octet

@@ -9,25 +9,19 @@
 #include <Standard_OutOfMemory.hxx>
 #include <Standard_Version.hxx>
 #include <algorithm>
-#include <array>
-#include <chrono>
-#include <cmath>
 #include <new>
 #include <optional>
-#include <set>
 #include <utility>
 #include <vector>
 
 #include "base/error.h"
-#include "geom/face_crossings.h"
-#include "geom/face_touches.h"
 #include "geom/occt/assemble.h"
 #include "geom/occt/byte_stream.h"
-#include "geom/occt/contact_circle.h"
 #include "geom/occt/part_stream.h"
+#include "geom/occt/read_again.h"
 #include "geom/occt/silence.h"
 #include "geom/occt/tessellate.h"
-#include "geom/winding.h"
+#include "geom/occt/time_left.h"
 
 namespace octet {
 namespace {
@@ -101,58 +95,6 @@ std::string guarded_bytes(const ReadJob& job, std::string& note) {
   return in_this_process();
 }
 
-/// Faces that cross bound nothing, with edges there or without: what touches any of those is left as it is.
-std::vector<FaceTouch> touches_without_crossings(const Model& model) {
-  std::vector<FaceTouch> touches = touching_faces(model, kContactShare * model.diagonal());
-  if (touches.empty()) return touches;
-  std::set<int> crossed;
-  for (const FaceCrossing& crossing : face_crossings(model))
-    crossed.insert(crossing.face.begin(), crossing.face.end());
-  std::erase_if(touches, [&](const FaceTouch& touch) {
-    return crossed.count(touch.face[0]) > 0 || crossed.count(touch.face[1]) > 0;
-  });
-  return touches;
-}
-
-/// Those of faces of one region.
-std::vector<FaceCrossing> crossings_within_regions(const Model& model) {
-  std::vector<FaceCrossing> crossings = face_crossings(model);
-  std::erase_if(crossings, [&](const FaceCrossing& crossing) {
-    const auto &a = model.face(crossing.face[0]).region, &b = model.face(crossing.face[1]).region;
-    return std::none_of(a.begin(), a.end(),
-                        [&](int region) { return region != 0 && (region == b[0] || region == b[1]); });
-  });
-  return crossings;
-}
-
-/// Numbers as read of the faces of each pair (FaceCrossing, FaceTouch), where both have one.
-template <class Pair>
-FaceNumberPairs numbers_of(const std::vector<Pair>& found, const Model& model) {
-  const auto numbers = sources(model.provenance(), 2, model.count(2));
-  FaceNumberPairs pairs;
-  for (const Pair& pair : found) {
-    const auto &a = numbers[static_cast<std::size_t>(pair.face[0])],
-               &b = numbers[static_cast<std::size_t>(pair.face[1])];
-    if (!a.empty() && !b.empty() && a.front() != b.front()) pairs.push_back({a.front(), b.front()});
-  }
-  return pairs;
-}
-
-/// What a model lacks of what another one has; empty: nothing.
-std::string loss_of(const Model& model, const Model& other) {
-  constexpr double kSameVolume = 1e-6;
-  const auto volume = [](const Model& of) {
-    double sum = 0.0;
-    for (int region = 1; region <= of.count(3); ++region) sum += of.region(region).volume;
-    return sum;
-  };
-  if (model.parts().faults.size() > other.parts().faults.size()) return model.parts().faults.back().cause;
-  if (model.count(3) < other.count(3)) return "a region would be lost";
-  if (std::abs(volume(model) - volume(other)) > kSameVolume * std::abs(volume(other)))
-    return fmt::format("the volume would change from {:.6g} to {:.6g} mm^3", volume(other), volume(model));
-  return {};
-}
-
 /// The first face that lies far off its own facets for what was taken away at its borders, by its number as
 /// read, and how far; empty: none.
 std::string spoilt_face(const Model& model, const ReadOptions& options) {
@@ -169,15 +111,6 @@ std::string spoilt_face(const Model& model, const ReadOptions& options) {
   return {};
 }
 
-using Clock = std::chrono::steady_clock;
-
-/// What is left of a time limit in seconds, 0: none; a moment at least, for 0 would be no limit.
-double left_of(double limit, Clock::time_point begin) {
-  constexpr double kMoment = 0.1;
-  return limit > 0.0 ? std::max(kMoment, limit - std::chrono::duration<double>(Clock::now() - begin).count())
-                     : 0.0;
-}
-
 /// How many solids are left out where nothing is taken away.
 std::size_t faults_without_defeaturing(ReadJob job) {
   job.options.smallest_feature = 0.0;
@@ -189,8 +122,8 @@ std::size_t faults_without_defeaturing(ReadJob job) {
 Model read_defeatured(ReadJob& job, std::string& note) {
   constexpr int kHalvings = 3;
   double& smallest = job.options.smallest_feature;
-  const double asked = smallest, limit = job.options.time_limit;
-  const Clock::time_point begin = Clock::now();
+  const double asked = smallest;
+  const TimeLeft time(job.options.time_limit);
   std::string first_cause;
   std::optional<std::size_t> known_faults;
   for (int tries = 0; smallest > 0.0; ++tries) {
@@ -210,83 +143,9 @@ Model read_defeatured(ReadJob& job, std::string& note) {
     note = fmt::format(
         "features smaller than {:.4g} mm cannot all be taken away, for {}: {}", asked, first_cause,
         smallest > 0.0 ? fmt::format("those smaller than {:.4g} mm were", smallest) : "none were");
-    job.options.time_limit = left_of(limit, begin);
+    job.options.time_limit = time.seconds();
   }
   return Model(read_job(job));
-}
-
-Model with_note(const Model& model, const std::string& note) {
-  ModelParts parts = model.parts();
-  parts.notes.push_back(note);
-  return Model(std::move(parts));
-}
-
-/// Why the model is not what another one encloses whose boundary crosses itself in some places; empty: it is,
-/// and crosses itself in fewer.
-std::string unlikeness_of(const Model& model, const Model& crossed,
-                          const std::vector<FaceCrossing>& crossings) {
-  constexpr double kSameShare = 1e-4;
-  const std::size_t left = crossings_within_regions(model).size();
-  if (model.parts().faults.size() > crossed.parts().faults.size()) return model.parts().faults.back().cause;
-  if (left >= crossings.size()) return fmt::format("{} pair(s) of faces would cross", left);
-  std::set<int> regions;
-  for (const FaceCrossing& crossing : crossings)
-    for (const int face : crossing.face)
-      regions.insert(crossed.face(face).region.begin(), crossed.face(face).region.end());
-  regions.erase(0);
-  const double share = share_covered_once(crossed, model, {regions.begin(), regions.end()});
-  if (share > kSameShare) return fmt::format("{:.2g} of the volume would be lost or won", share);
-  return {};
-}
-
-/// Readings with the faces that cross cut along each other, and of the solids what they enclose: as long as
-/// fewer cross by it, and nothing else changes. The job is left with the pairs that were cut.
-Model read_united(ReadJob& job, Model model) {
-  constexpr int kReadings = 3;
-  const Clock::time_point begin = Clock::now();
-  const double limit = job.options.time_limit;
-  for (int reading = 0; reading < kReadings; ++reading) {
-    const std::vector<FaceCrossing> crossings = crossings_within_regions(model);
-    const FaceNumberPairs pairs = numbers_of(crossings, model);
-    if (pairs.empty()) break;
-    ReadJob next = job;
-    next.options.time_limit = left_of(limit, begin);
-    next.meeting.crossing.insert(next.meeting.crossing.end(), pairs.begin(), pairs.end());
-    std::string cause;
-    try {
-      Model united(read_job(next));
-      cause = unlikeness_of(united, model, crossings);
-      if (cause.empty()) model = std::move(united);
-    } catch (const InputError& error) {
-      cause = error.what();
-    }
-    if (!cause.empty())
-      return with_note(model, fmt::format("{} pair(s) of faces cross, the first is Face {} and Face {}; they "
-                                          "are left so, for cut along each other: {}",
-                                          pairs.size(), pairs.front()[0], pairs.front()[1], cause));
-    job.meeting = next.meeting;
-  }
-  return model;
-}
-
-/// The job's second reading, with the faces that touch imprinted on each other, where nothing is lost by it;
-/// the model of the first with a note otherwise.
-Model read_imprinted(const ReadJob& job, const Model& model) {
-  std::string loss;
-  try {
-    Model imprinted(read_job(job));
-    loss = loss_of(imprinted, model);
-    if (loss.empty()) return imprinted;
-  } catch (const InputError& error) {
-    loss = error.what();
-  }
-  return with_note(
-      model,
-      fmt::format(
-          "{} pair(s) of faces touch without an edge or a vertex that they share, the first is Face {} "
-          "and Face {}; they are left so, for imprinted on each other: {}",
-          job.meeting.touching.size(), job.meeting.touching.front()[0], job.meeting.touching.front()[1],
-          loss));
 }
 
 }  // namespace
@@ -318,17 +177,13 @@ ModelParts read_job(const ReadJob& job) {
 }
 
 Model read_model(ReadJob job) {
-  const Clock::time_point begin = Clock::now();
-  const double limit = job.options.time_limit;
+  const TimeLeft time(job.options.time_limit);
   std::string note;
   Model model = read_defeatured(job, note);
-  job.options.time_limit = left_of(limit, begin);
+  job.options.time_limit = time.seconds();
   model = read_united(job, std::move(model));
-  job.meeting.touching = numbers_of(touches_without_crossings(model), model);
-  if (!job.meeting.touching.empty()) {
-    job.options.time_limit = left_of(limit, begin);
-    model = read_imprinted(job, model);
-  }
+  job.options.time_limit = time.seconds();
+  model = read_imprinted(std::move(job), std::move(model));
   return note.empty() ? std::move(model) : with_note(model, note);
 }
 

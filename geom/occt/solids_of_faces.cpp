@@ -3,10 +3,8 @@
 #include "geom/occt/solids_of_faces.h"
 
 #include <BRepClass3d_SolidClassifier.hxx>
-#include <BRepGProp.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
-#include <GProp_GProps.hxx>
 #include <Precision.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_DataMapOfShapeInteger.hxx>
@@ -15,6 +13,8 @@
 #include <TopoDS_Solid.hxx>
 
 #include <numeric>
+
+#include "geom/occt/shape_volume.h"
 
 namespace octet {
 namespace {
@@ -36,12 +36,6 @@ std::vector<std::size_t> groups_of(const std::vector<TopoDS_Shape>& faces) {
     }
   for (std::size_t i = 0; i < faces.size(); ++i) group[i] = root(i);
   return group;
-}
-
-double volume_of(const TopoDS_Shape& shell) {
-  GProp_GProps properties;
-  BRepGProp::VolumeProperties(shell, properties);
-  return properties.Mass();
 }
 
 struct Lump {

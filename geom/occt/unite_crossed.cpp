@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "geom/facet_volumes.h"
 #include "geom/occt/crossed_loops.h"
 #include "geom/occt/edge_uses.h"
 #include "geom/occt/face_fuse.h"
@@ -102,17 +103,6 @@ bool closes(const std::vector<TopoDS_Shape>& solids) {
   });
 }
 
-double facet_volume(const Model& model) {
-  double sum = 0.0;
-  const Vec3 origin = model.box().centre();
-  for (std::size_t i = 0; i < model.facets().triangles.size(); ++i) {
-    const auto [a, b, c] = facet_corners(model.facets(), i);
-    const auto& [behind, before] = model.face(model.facets().face[i]).region;
-    sum += ((behind == 1 ? 1 : 0) - (before == 1 ? 1 : 0)) * (a - origin).dot((b - origin).cross(c - origin));
-  }
-  return sum / 6.0;
-}
-
 /// Where single faces meet themselves.
 Repair split_within_faces(const TopoDS_Shape& solid) {
   Repair split = split_pinched_faces(solid);
@@ -146,7 +136,7 @@ class Union {
   /// A solid that fills all space but itself is turned.
   Model outward_model() {
     Model model = model_of_solid(split_.solid, log_);
-    if (facet_volume(model) >= 0.0) return model;
+    if (facet_volumes(model.parts())[1] >= 0.0) return model;
     split_.solid.Reverse();
     return model_of_solid(split_.solid, log_);
   }

@@ -10,6 +10,7 @@
 #include "app/mesh_part.h"
 #include "geom/occt/from_shape.h"
 #include "tests/support/crossed.h"
+#include "tests/support/with_void.h"
 
 namespace octet {
 namespace {

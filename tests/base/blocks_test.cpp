@@ -56,10 +56,13 @@ TEST(BucketSort, SortsByBucketThenByLess) {
   }
   std::vector<std::uint64_t> expected = items;
   std::sort(expected.begin(), expected.end());
-  bucket_sort(
-      items, kBuckets, [](std::uint64_t item) { return item >> 20; },
-      [](std::uint64_t a, std::uint64_t b) { return a < b; });
-  EXPECT_EQ(items, expected);
+  for (const Sorting sorting : {Sorting::kOneThread, Sorting::kManyThreads}) {
+    std::vector<std::uint64_t> sorted = items;
+    bucket_sort(
+        sorted, kBuckets, [](std::uint64_t item) { return item >> 20; },
+        [](std::uint64_t a, std::uint64_t b) { return a < b; }, sorting);
+    EXPECT_EQ(sorted, expected);
+  }
 }
 
 }  // namespace

@@ -6,23 +6,11 @@
 
 #include <map>
 
+#include "geom/facet_volumes.h"
 #include "tests/geom/sample_models.h"
 
 namespace octet {
 namespace {
-
-double volume_of_facets(const Model& model, int region) {
-  double six = 0.0;
-  const Facets& f = model.facets();
-  const Vec3 o = model.box().centre();
-  for (std::size_t i = 0; i < f.triangles.size(); ++i) {
-    const auto& t = f.triangles[i];
-    const double v = (f.nodes[t[0]] - o).dot((f.nodes[t[1]] - o).cross(f.nodes[t[2]] - o));
-    const auto& sides = model.face(f.face[i]).region;
-    six += v * ((sides[0] == region) - (sides[1] == region));
-  }
-  return six / 6.0;
-}
 
 std::array<int, 4> counts(const Model& m) { return {m.count(0), m.count(1), m.count(2), m.count(3)}; }
 
@@ -43,7 +31,7 @@ TEST(Analytic, FacetsCloseAndTheirVolumeIsThatOfTheShape) {
   for (const auto& frame : {Frame{}, test::tilted_frame()})
     for (const auto& s : test::all_samples(frame, 1e-3)) {
       EXPECT_NEAR(s.model.region(1).volume, s.volume, 1e-12 * s.volume) << s.name;
-      EXPECT_NEAR(volume_of_facets(s.model, 1), s.volume, 5e-3 * s.volume) << s.name;
+      EXPECT_NEAR(facet_volumes(s.model.parts())[1], s.volume, 5e-3 * s.volume) << s.name;
       std::map<std::pair<unsigned, unsigned>, int> uses;
       for (const auto& t : s.model.facets().triangles)
         for (int k = 0; k < 3; ++k) {

@@ -7,11 +7,9 @@
 #include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
-#include <BRepGProp.hxx>
 #include <BRepOffsetAPI_MakePipeShell.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRep_Builder.hxx>
-#include <GProp_GProps.hxx>
 #include <Geom_Circle.hxx>
 #include <Geom_SurfaceOfRevolution.hxx>
 #include <TopExp_Explorer.hxx>
@@ -29,6 +27,8 @@
 
 #include <cmath>
 #include <vector>
+
+#include "geom/occt/shape_volume.h"
 
 namespace octet::test {
 
@@ -54,16 +54,6 @@ inline TopoDS_Shape crossed_boxes() {
   return one_shell_of({box_between({0, 0, 0}, {10, 10, 10}), box_between({5, 5, 5}, {15, 15, 15})});
 }
 
-/// A solid with a shell of another turned inside out, a void to the file wherever it lies.
-inline TopoDS_Shape with_void(const TopoDS_Shape& outside, const TopoDS_Shape& inside) {
-  const BRep_Builder builder;
-  TopoDS_Solid solid;
-  builder.MakeSolid(solid);
-  builder.Add(solid, TopExp_Explorer(outside, TopAbs_SHELL).Current());
-  builder.Add(solid, TopExp_Explorer(inside, TopAbs_SHELL).Current().Reversed());
-  return solid;
-}
-
 /// The faces of a solid, which share no edges, sewn and turned outward.
 inline TopoDS_Shape sewn_solid(const std::vector<TopoDS_Shape>& faces) {
   BRepBuilderAPI_Sewing sewing(1e-6);
@@ -73,9 +63,7 @@ inline TopoDS_Shape sewn_solid(const std::vector<TopoDS_Shape>& faces) {
   const BRep_Builder builder;
   builder.MakeSolid(solid);
   builder.Add(solid, TopExp_Explorer(sewing.SewedShape(), TopAbs_SHELL).Current());
-  GProp_GProps properties;
-  BRepGProp::VolumeProperties(solid, properties);
-  return properties.Mass() < 0.0 ? solid.Reversed() : TopoDS_Shape(solid);
+  return volume_of(solid) < 0.0 ? solid.Reversed() : TopoDS_Shape(solid);
 }
 
 /// A pin of radius r and straight ends of length 5, bent by a right angle about the z axis at distance R: for

@@ -40,6 +40,7 @@
 #include <numbers>
 
 #include "tests/support/hook.h"
+#include "tests/support/with_void.h"
 
 namespace octet::test {
 namespace {
@@ -65,16 +66,6 @@ TopoDS_Shape side_by_side(const TopoDS_Shape& a, const TopoDS_Shape& b) {
   builder.MakeCompound(both);
   builder.Add(both, a);
   builder.Add(both, b);
-  return both;
-}
-
-/// The solid with a void in it that shares nothing with it, as files write voids.
-TopoDS_Shape with_void(const TopoDS_Shape& solid, const TopoDS_Shape& hollow) {
-  const BRep_Builder builder;
-  TopoDS_Solid both;
-  builder.MakeSolid(both);
-  builder.Add(both, TopExp_Explorer(solid, TopAbs_SHELL).Current());
-  builder.Add(both, TopExp_Explorer(hollow, TopAbs_SHELL).Current().Reversed());
   return both;
 }
 

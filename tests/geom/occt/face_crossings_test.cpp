@@ -12,6 +12,7 @@
 #include "geom/occt/from_shape.h"
 #include "geom/occt/reader.h"
 #include "tests/support/crossed.h"
+#include "tests/support/with_void.h"
 
 namespace octet::test {
 namespace {
@@ -28,7 +29,7 @@ TEST(FaceCrossings, AShellThatGoesThroughAnotherCrossesIt) {
   ReadJob job;
   job.shape = box_with_a_void_through_its_top();
   const Model model(read_job(job));  // the first reading only: the second mends it
-  const std::vector<FaceCrossing> crossings = face_crossings(model);
+  const std::vector<FaceCrossing> crossings = model.crossings();
   ASSERT_EQ(crossings.size(), 1u);
   const FaceCrossing& crossing = crossings.front();
   EXPECT_NEAR(crossing.place.z(), 10.0, 1e-9);
@@ -41,14 +42,14 @@ TEST(FaceCrossings, AShellThatGoesThroughAnotherCrossesIt) {
 TEST(FaceCrossings, FacesOfFewFacetsThatPierceEachOtherAtTheirEdges) {
   ReadJob job;
   job.shape = crossed_boxes();
-  const std::vector<FaceCrossing> crossings = face_crossings(Model(read_job(job)));
+  const std::vector<FaceCrossing> crossings = Model(read_job(job)).crossings();
   EXPECT_EQ(crossings.size(), 6u) << "three sides of either box with two of the other each";
   for (const FaceCrossing& crossing : crossings) EXPECT_NEAR(crossing.depth, 2.5, 1e-9);
 }
 
 TEST(FaceCrossings, NoneWhereFacesMeetInTheirEdges) {
-  EXPECT_TRUE(face_crossings(model_from_shape(BRepPrimAPI_MakeBox(1.0, 2.0, 3.0).Shape())).empty());
-  EXPECT_TRUE(face_crossings(model_from_shape(BRepPrimAPI_MakeCylinder(1.0, 3.0).Shape())).empty());
+  EXPECT_TRUE(model_from_shape(BRepPrimAPI_MakeBox(1.0, 2.0, 3.0).Shape()).crossings().empty());
+  EXPECT_TRUE(model_from_shape(BRepPrimAPI_MakeCylinder(1.0, 3.0).Shape()).crossings().empty());
 }
 
 }  // namespace

@@ -39,6 +39,7 @@
 #include "geom/model_check.h"
 #include "geom/occt/from_shape.h"
 #include "geom/occt/read_part.h"
+#include "tests/support/with_void.h"
 
 namespace octet::test {
 namespace {
@@ -229,12 +230,7 @@ TopoDS_Shape stepped_block_with_void(double low, double below) {
   const TopoDS_Shape block = BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(3.0, 1.0, 1.0).Shape(), cut_off);
   const TopoDS_Shape hollow =
       BRepPrimAPI_MakeBox(gp_Pnt(0.5, 0.2, 0.1 - below), gp_Pnt(1.0, 0.8, low - below));
-  const BRep_Builder builder;
-  TopoDS_Solid both;
-  builder.MakeSolid(both);
-  builder.Add(both, TopExp_Explorer(block, TopAbs_SHELL).Current());
-  builder.Add(both, TopExp_Explorer(hollow, TopAbs_SHELL).Current().Reversed());
-  return both;
+  return with_void(block, hollow);
 }
 
 TEST(Heal, AVoidSharesTheEdgeWhereItTouchesTheOutside) {

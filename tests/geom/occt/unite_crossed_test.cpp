@@ -19,6 +19,7 @@
 #include "geom/occt/from_shape.h"
 #include "geom/occt/reader.h"
 #include "tests/support/crossed.h"
+#include "tests/support/with_void.h"
 
 namespace octet {
 namespace {
@@ -46,15 +47,20 @@ Model as_it_is(const TopoDS_Shape& shape) {
 
 void expect_sound(const Model& model) {
   EXPECT_EQ(check_model(model), "");
-  EXPECT_TRUE(face_crossings(model).empty());
+  EXPECT_TRUE(model.crossings().empty());
   EXPECT_TRUE(model.parts().faults.empty());
 }
 
-TEST(UniteCrossed, TwoBoxesInOneShellBecomeOneSolid) {
-  const TopoDS_Shape shape = test::crossed_boxes();
-  EXPECT_EQ(face_crossings(as_it_is(shape)).size(), 6u) << "the input crosses itself";
-  const Model model = model_from_shape(shape);
+/// The sound part of a shape of which so many pairs of faces cross before.
+Model united(const TopoDS_Shape& shape, std::size_t crossings) {
+  EXPECT_EQ(as_it_is(shape).crossings().size(), crossings) << "of the input";
+  Model model = model_from_shape(shape);
   expect_sound(model);
+  return model;
+}
+
+TEST(UniteCrossed, TwoBoxesInOneShellBecomeOneSolid) {
+  const Model model = united(test::crossed_boxes(), 6);
   ASSERT_EQ(model.count(3), 1);
   EXPECT_EQ(model.count(2), 12);
   EXPECT_EQ(model.count(1), 12 + 12 + 6) << "each of six edges has its inner part gone, six are new";
@@ -93,10 +99,7 @@ double bent_pin_volume(double r, double bend) {
 
 TEST(UniteCrossed, APinBentTighterThanItIsThick) {
   for (const double bend : {0.9, 0.6, 0.3}) {
-    const TopoDS_Shape shape = test::bent_pin(1.0, bend);
-    EXPECT_EQ(face_crossings(as_it_is(shape)).size(), 1u) << "the two straight ends";
-    const Model model = model_from_shape(shape);
-    expect_sound(model);
+    const Model model = united(test::bent_pin(1.0, bend), 1);  // the two straight ends
     EXPECT_EQ(model.count(3), 1);
     EXPECT_NEAR(volume_of(model), bent_pin_volume(1.0, bend), 1e-6 * volume_of(model)) << bend;
     EXPECT_NE(note_with(model, "crosses itself: 1 pair(s)"), "");
@@ -112,10 +115,7 @@ TEST(UniteCrossed, APinBentTighterThanItIsThick) {
 }
 
 TEST(UniteCrossed, AChamferThatNarrowsToNothingAndGoesOn) {
-  const TopoDS_Shape shape = test::plate_with_a_bow_tie();
-  EXPECT_EQ(face_crossings(as_it_is(shape)).size(), 1u) << "the two sides beside the chamfer";
-  const Model model = model_from_shape(shape);
-  expect_sound(model);
+  const Model model = united(test::plate_with_a_bow_tie(), 1);  // the two sides beside the chamfer
   EXPECT_EQ(model.count(3), 1);
   EXPECT_EQ(model.count(2), 7);
   EXPECT_EQ(model.count(0), 10)
@@ -126,7 +126,7 @@ TEST(UniteCrossed, AChamferThatNarrowsToNothingAndGoesOn) {
 
 TEST(UniteCrossed, ASweepThatPiercesItself) {
   const Model model = model_from_shape(test::looped_wire()), before = as_it_is(test::looped_wire());
-  EXPECT_FALSE(face_crossings(before).empty());
+  EXPECT_FALSE(before.crossings().empty());
   expect_sound(model);
   EXPECT_EQ(model.count(3), 1);
   EXPECT_EQ(model.count(2), before.count(2)) << "the second pass dents the first";
@@ -144,8 +144,7 @@ TEST(UniteCrossed, ASweepThatPiercesItself) {
 TEST(UniteCrossed, AVoidThroughTheTopBecomesAHole) {
   const TopoDS_Shape rod =
       BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(5.0, 5.0, 4.0), gp::DZ()), 2.0, 9.0).Shape();
-  const Model model = model_from_shape(test::with_void(box_between({0, 0, 0}, {10, 10, 10}), rod));
-  expect_sound(model);
+  const Model model = united(test::with_void(box_between({0, 0, 0}, {10, 10, 10}), rod), 1);
   EXPECT_EQ(model.count(3), 1);
   EXPECT_EQ(model.count(2), 8) << "the rod's end beyond the box is gone";
   EXPECT_NEAR(volume_of(model), 1000.0 - 24.0 * std::numbers::pi, 1e-8);
@@ -153,9 +152,8 @@ TEST(UniteCrossed, AVoidThroughTheTopBecomesAHole) {
 }
 
 TEST(UniteCrossed, AVoidAcrossTheSolidLeavesTwo) {
-  const Model model = model_from_shape(
-      test::with_void(box_between({0, 0, 0}, {10, 10, 10}), box_between({4, -1, -1}, {5, 11, 11})));
-  expect_sound(model);
+  const Model model =
+      united(test::with_void(box_between({0, 0, 0}, {10, 10, 10}), box_between({4, -1, -1}, {5, 11, 11})), 8);
   ASSERT_EQ(model.count(3), 2);
   EXPECT_NEAR(model.region(1).volume + model.region(2).volume, 900.0, 1e-9);
   EXPECT_NEAR(std::max(model.region(1).volume, model.region(2).volume), 500.0, 1e-9);
@@ -166,10 +164,10 @@ TEST(UniteCrossed, CupsMouthToMouthEncloseAVoid) {
   const auto cup = [](const gp_Pnt& a, const gp_Pnt& b, const gp_Pnt& c, const gp_Pnt& d) {
     return BRepAlgoAPI_Cut(box_between(a, b), box_between(c, d)).Shape();
   };
-  const Model model =
-      model_from_shape(test::one_shell_of({cup({0, 0, 0}, {10, 10, 10}, {1, 1, 1}, {9, 9, 11}),
-                                           cup({-1, -1, 9}, {11, 11, 19}, {2, 2, 8}, {8, 8, 18})}));
-  expect_sound(model);
+  const TopoDS_Shape cups_in_one =
+      test::one_shell_of({cup({0, 0, 0}, {10, 10, 10}, {1, 1, 1}, {9, 9, 11}),
+                          cup({-1, -1, 9}, {11, 11, 19}, {2, 2, 8}, {8, 8, 18})});
+  const Model model = united(cups_in_one, 8);
   ASSERT_EQ(model.count(3), 1);
   const double cups = (1000.0 - 64.0 * 9.0) + (1440.0 - 36.0 * 9.0), both = 100.0 - 64.0;
   EXPECT_NEAR(volume_of(model), cups - both, 1e-9);
@@ -184,8 +182,7 @@ TEST(UniteCrossed, OnlyTheSolidThatCrossesItselfIsTouched) {
   builder.Add(all, box_between({-10, 0, 0}, {0, 10, 10}));
   builder.Add(all, test::crossed_boxes());
   builder.Add(all, box_between({30, 0, 0}, {31, 1, 1}));
-  const Model model = model_from_shape(all);
-  expect_sound(model);
+  const Model model = united(all, 6);
   ASSERT_EQ(model.count(3), 3);
   EXPECT_NEAR(model.region(1).volume, 1000.0, 1e-9);
   EXPECT_NEAR(model.region(2).volume, 1875.0, 1e-9);
@@ -196,8 +193,7 @@ TEST(UniteCrossed, OnlyTheSolidThatCrossesItselfIsTouched) {
 }
 
 TEST(UniteCrossed, InsideOutIsTheSame) {
-  const Model model = model_from_shape(test::crossed_boxes().Reversed());
-  expect_sound(model);
+  const Model model = united(test::crossed_boxes().Reversed(), 6);
   EXPECT_NEAR(volume_of(model), 1875.0, 1e-9);
 }
 

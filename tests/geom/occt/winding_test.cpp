@@ -10,6 +10,7 @@
 
 #include "geom/occt/reader.h"
 #include "tests/support/crossed.h"
+#include "tests/support/with_void.h"
 
 namespace octet {
 namespace {
