@@ -141,6 +141,7 @@ bool split_edge(Workshop& shop, TetId t, VertexId a, VertexId b, double floor, d
   edge_ring(shop.mesh, t, a, b, ring);
   const ModelRef on = edge_entity(shop.mesh, ring);
   if (!on.valid() || (on.dim < 3 && (shop.mesh.held(a) || shop.mesh.held(b)))) return false;
+  if (on.dim == 1 && !is_whole(shop.mesh, ring)) return false;
   LocalStar star = future_star(shop, ring, on);
   const Stand from = seeds_of(shop, ring, star, middle);
   Stand stand;

@@ -380,4 +380,12 @@ bool edge_ring(const WorkMesh& mesh, TetId t, VertexId a, VertexId b, EdgeRing& 
   }
 }
 
+bool is_whole(WorkMesh& mesh, const EdgeRing& ring) {
+  std::vector<TetId> tets;
+  star(mesh, ring.a, tets);
+  const auto around =
+      std::count_if(tets.begin(), tets.end(), [&](TetId t) { return corner_of(mesh, t, ring.b) >= 0; });
+  return static_cast<std::size_t>(around) == ring.tets.size();
+}
+
 }  // namespace octet

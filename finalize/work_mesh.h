@@ -148,6 +148,10 @@ struct EdgeRing {
 bool edge_ring(const WorkMesh& mesh, TetId t, VertexId a, VertexId b, EdgeRing& ring,
                std::size_t most = std::numeric_limits<std::size_t>::max());
 
+/// Whether the ring has all tetrahedra of its edge. Not where a solid touches itself along a model edge:
+/// there those of either side have a ring of their own. Costs a star.
+[[nodiscard]] bool is_whole(WorkMesh& mesh, const EdgeRing& ring);
+
 /// Empty when the invariants hold, else the first that does not. For tests.
 [[nodiscard]] std::string check_work_mesh(const WorkMesh& mesh);
 
