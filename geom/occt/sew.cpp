@@ -12,6 +12,7 @@
 #include <TopTools_MapOfShape.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Solid.hxx>
+#include <utility>
 
 #include "geom/occt/shape_box.h"
 
@@ -69,13 +70,15 @@ Sewn sew_faces(const std::vector<TopoDS_Shape>& faces, double tolerance) {
     sewing.Perform();
     const auto solids = solids_from_shells(sewing.SewedShape());
     const auto free = static_cast<std::size_t>(sewing.NbFreeEdges());
-    if (solids.empty() || (!best.solids.empty() && free >= best.free_edges)) continue;
+    const bool worse = std::pair(solids.empty(), free) >= std::pair(best.solids.empty(), best.free_edges);
+    if (!best.shape.IsNull() && worse) continue;
+    best.shape = sewing.SewedShape();
     best.solids = solids;
     best.free_edges = free;
     best.tolerance = reach;
     best.history = new BRepTools_History();
     add_history(sewing, compound, *best.history);
-    if (free == 0) break;
+    if (free == 0 && !solids.empty()) break;
   }
   return best;
 }

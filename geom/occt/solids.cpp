@@ -18,6 +18,7 @@
 
 #include "base/error.h"
 #include "geom/occt/sew.h"
+#include "geom/occt/shape_box.h"
 
 namespace octet {
 namespace {
@@ -53,13 +54,22 @@ std::vector<gp_Pnt> points_along(const TopoDS_Edge& edge) {
   return points;
 }
 
+double distance_to_segment(const gp_Pnt& p, const gp_Pnt& a, const gp_Pnt& b) {
+  const gp_Vec along(a, b), to(a, p);
+  const double length2 = along.SquareMagnitude();
+  const double share = length2 > 0.0 ? std::clamp(to.Dot(along) / length2, 0.0, 1.0) : 0.0;
+  return p.Distance(a.Translated(share * along));
+}
+
 /// How far the middle of the edge is from the nearest of the others, by points along them.
 double gap_at(const TopoDS_Edge& edge, const std::vector<TopoDS_Edge>& others) {
   const gp_Pnt middle = place_of(edge);
   double least = std::numeric_limits<double>::infinity();
   for (const TopoDS_Edge& other : others) {
     if (other.IsSame(edge)) continue;
-    for (const gp_Pnt& point : points_along(other)) least = std::min(least, middle.Distance(point));
+    const std::vector<gp_Pnt> points = points_along(other);
+    for (std::size_t i = 1; i < points.size(); ++i)
+      least = std::min(least, distance_to_segment(middle, points[i - 1], points[i]));
   }
   return least;
 }
@@ -77,12 +87,20 @@ std::vector<TopoDS_Edge> free_edges(const TopoDS_Shape& shape) {
   return edges;
 }
 
-/// Number as read of the first face of `shape` that has the edge.
-int face_with(const TopoDS_Shape& shape, const TopoDS_Edge& edge, const ShapeMaps& maps) {
+/// A face of `shape` that has the edge.
+TopoDS_Shape face_with(const TopoDS_Shape& shape, const TopoDS_Edge& edge) {
   for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next())
     for (TopExp_Explorer it(face.Current(), TopAbs_EDGE); it.More(); it.Next())
-      if (it.Current().IsSame(edge)) return maps.of[2].FindIndex(face.Current());
-  return 0;
+      if (it.Current().IsSame(edge)) return face.Current();
+  return {};
+}
+
+/// What to do about an opening of this width. Sewing joins what is nearer than a hundredth of the part; the
+/// tolerance is half as much again, in two digits, for the width is that at one place.
+std::string advice_for(double gap, double diagonal) {
+  constexpr double kSewable = 0.01, kReserve = 1.5;
+  if (gap > kSewable * diagonal) return "close the shell there: no other face comes near";
+  return fmt::format("sew its faces with --sew {:.2g}, or close the shell there", kReserve * gap);
 }
 
 }  // namespace
@@ -108,7 +126,7 @@ int number_as_read(int dim, const TopoDS_Shape& shape, const ShapeMaps& as_read,
   return 0;
 }
 
-Fault opening_of(const TopoDS_Shape& shape, const ShapeMaps& as_read) {
+Fault opening_of(const TopoDS_Shape& shape, const ShapeMaps& as_read, const SolidSet& set) {
   Fault fault;
   fault.cause = "it holds no solid and no closed shell";
   const std::vector<TopoDS_Edge> edges = free_edges(shape);
@@ -123,15 +141,18 @@ Fault opening_of(const TopoDS_Shape& shape, const ShapeMaps& as_read) {
     worst = &edges[i];
   }
   const gp_Pnt at = place_of(*worst);
-  const int number = as_read.of[1].FindIndex(*worst);
+  const int number = number_as_read(1, *worst, as_read, set);
   fault.entity = model_edge(number);
   fault.place = Vec3(at.X(), at.Y(), at.Z());
-  fault.cause = fmt::format("Edge {} of Face {} is free (at {:.6g}, {:.6g}, {:.6g})", number,
-                            face_with(shape, *worst, as_read), at.X(), at.Y(), at.Z());
-  if (edges.size() > 1)
+  fault.cause =
+      fmt::format("Edge {} of Face {} is free (at {:.6g}, {:.6g}, {:.6g})", number,
+                  number_as_read(2, face_with(shape, *worst), as_read, set), at.X(), at.Y(), at.Z());
+  fault.advice = "close the shell there";
+  if (edges.size() > 1) {
     fault.cause += fmt::format(", one of {} free edges and the farthest from any other, {:.3g} mm",
                                edges.size(), widest);
-  fault.advice = "close the shell, or sew its faces with --sew";
+    fault.advice = advice_for(widest, diagonal_of(box_of(shape)));
+  }
   return fault;
 }
 
@@ -146,21 +167,22 @@ SolidSet collect_solids(const TopoDS_Shape& shape, const ShapeMaps& as_read, dou
     set.solids.insert(set.solids.end(), shells.begin(), shells.end());
   }
   const auto loose = loose_faces(as_read, set.solids);
-  if (!loose.empty()) {
-    const Sewn sewn = sew_faces(loose, sew_tolerance);
-    if (!sewn.solids.empty()) {
-      set.history->Merge(sewn.history);
-      set.notes.push_back(fmt::format(
-          "{} loose faces sewn with tolerance {:.3g} mm into {} closed shell(s); {} free edge(s) left",
-          loose.size(), sewn.tolerance, sewn.solids.size(), sewn.free_edges));
-      set.solids.insert(set.solids.end(), sewn.solids.begin(), sewn.solids.end());
-    }
+  const Sewn sewn = loose.empty() ? Sewn{} : sew_faces(loose, sew_tolerance);
+  if (!sewn.shape.IsNull() && (set.solids.empty() || !sewn.solids.empty())) set.history->Merge(sewn.history);
+  if (!sewn.solids.empty()) {
+    set.notes.push_back(fmt::format(
+        "{} loose faces sewn with tolerance {:.3g} mm into {} closed shell(s); {} free edge(s) left",
+        loose.size(), sewn.tolerance, sewn.solids.size(), sewn.free_edges));
+    set.solids.insert(set.solids.end(), sewn.solids.begin(), sewn.solids.end());
   }
   if (set.solids.empty()) {
-    const Fault opening = opening_of(shape, as_read);
-    throw ModelError(
-        "the part bounds no volume: " + opening.cause + (opening.advice.empty() ? "" : "; " + opening.advice),
-        opening.entity);
+    const Fault opening = opening_of(sewn.shape.IsNull() ? shape : sewn.shape, as_read, set);
+    std::string sewing;
+    if (loose.size() > 1)
+      sewing = fmt::format(" with its {} faces sewn within {:.3g} mm", loose.size(), sewn.tolerance);
+    throw ModelError("the part bounds no volume" + sewing + ": " + opening.cause +
+                         (opening.advice.empty() ? "" : "; " + opening.advice),
+                     opening.entity);
   }
   return set;
 }

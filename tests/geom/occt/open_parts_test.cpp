@@ -7,6 +7,9 @@
 #include <TopExp_Explorer.hxx>
 #include <gp_Pnt.hxx>
 
+#include <string>
+
+#include "base/error.h"
 #include "compound_of.h"
 #include "geom/occt/assemble.h"
 
@@ -23,7 +26,7 @@ std::vector<TopoDS_Shape> loose_faces(const gp_Pnt& corner, int missing) {
   return faces;
 }
 
-ModelParts parts_of(const std::vector<TopoDS_Shape>& shapes) {
+ModelParts parts_of(const std::vector<TopoDS_Shape>& shapes, const ReadOptions& options = {}) {
   CadDocument document;
   document.shape = compound_of(shapes);
   for (const TopoDS_Shape& shape : shapes) {
@@ -33,7 +36,7 @@ ModelParts parts_of(const std::vector<TopoDS_Shape>& shapes) {
     document.tree.push_back(part);
   }
   const OcctLock lock;
-  return assemble(document, {}, {}, [](const std::string&) {}).parts;
+  return assemble(document, options, {}, [](const std::string&) {}).parts;
 }
 
 TEST(OpenParts, FacesSewnIntoASolidAreNotLeftOut) {
@@ -54,6 +57,40 @@ TEST(OpenParts, AShellThatLacksAFaceIsAFault) {
   const ModelParts parts = parts_of(shapes);
   ASSERT_EQ(parts.faults.size(), 1u);
   EXPECT_NE(parts.faults[0].cause.find("\"part 1\" is left out"), std::string::npos) << parts.faults[0].cause;
+}
+
+/// Why a part of these faces is refused.
+std::string refusal_of(const std::vector<TopoDS_Shape>& faces) {
+  try {
+    (void)parts_of(faces);
+  } catch (const ModelError& error) {
+    return error.what();
+  }
+  return "it is not refused";
+}
+
+TEST(OpenParts, WhatIsLeftAfterSewingIsTold) {
+  const std::string cause = refusal_of(loose_faces({0, 0, 0}, 1));  // without z = 3: five faces of four edges
+  EXPECT_NE(cause.find("with its 5 faces sewn"), std::string::npos) << cause;
+  EXPECT_NE(cause.find("one of 4 free edges"), std::string::npos) << cause;
+  EXPECT_NE(cause.find("no other face comes near"), std::string::npos) << cause;
+  EXPECT_EQ(cause.find("--sew"), std::string::npos) << "it cannot help: " << cause;
+}
+
+TEST(OpenParts, AToleranceThatSewsThemIsAdvised) {
+  constexpr double kGap = 0.002;
+  std::vector<TopoDS_Shape> faces = loose_faces({0, 0, 0}, 1);
+  faces.push_back(loose_faces({0, 0, kGap}, 0).back());
+  const std::string cause = refusal_of(faces);
+  EXPECT_NE(cause.find("one of 8 free edges"), std::string::npos) << cause;
+  const std::string option = "--sew ";
+  const std::size_t at = cause.find(option);
+  ASSERT_NE(at, std::string::npos) << cause;
+  const double tolerance = std::stod(cause.substr(at + option.size()));
+  EXPECT_NEAR(tolerance, 1.5 * kGap, 0.1 * kGap) << cause;
+  ReadOptions options;
+  options.sew_tolerance = tolerance;
+  EXPECT_EQ(parts_of(faces, options).regions.size(), 2u);
 }
 
 }  // namespace
