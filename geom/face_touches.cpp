@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <set>
@@ -20,9 +21,48 @@ namespace {
 constexpr int kPlacesPerFace = 6;
 constexpr std::size_t kMostFaces = 400;
 
-bool have_common_vertex(const ModelFace& a, const ModelFace& b) {
-  return std::any_of(a.vertices.begin(), a.vertices.end(),
-                     [&](int v) { return std::binary_search(b.vertices.begin(), b.vertices.end(), v); });
+/// What two faces touch at about a vertex that they share, within this share of the diagonal, is that vertex.
+constexpr double kAboutVertex = 1e-3;
+
+bool have_common_edge(const ModelFace& a, const ModelFace& b) {
+  return std::any_of(a.boundary.begin(), a.boundary.end(), [&](const FaceBoundary& side) {
+    return std::any_of(b.boundary.begin(), b.boundary.end(),
+                       [&](const FaceBoundary& other) { return other.edge == side.edge; });
+  });
+}
+
+std::vector<Vec3> common_vertices(const Model& model, const std::array<int, 2>& face) {
+  std::vector<int> tags;
+  const std::vector<int>&a = model.face(face[0]).vertices, &b = model.face(face[1]).vertices;
+  std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(tags));
+  std::vector<Vec3> points;
+  for (const int v : tags) points.push_back(model.vertex(v).point);
+  return points;
+}
+
+/// Stretches of a segment, as shares of its length.
+using Stretches = std::vector<std::array<double, 2>>;
+
+/// What is left of a segment outside of balls of this radius.
+Stretches outside_of_balls(const Vec3& from, const Vec3& to, const std::vector<Vec3>& centres,
+                           double radius) {
+  Stretches left{{0.0, 1.0}};
+  const Vec3 way = to - from;
+  const double length2 = way.squaredNorm();
+  for (const Vec3& centre : centres) {
+    if (!(length2 > 0.0)) return (from - centre).norm() < radius ? Stretches{} : left;
+    const double middle = (centre - from).dot(way) / length2;
+    const double off2 = (from + middle * way - centre).squaredNorm();
+    if (off2 >= radius * radius) continue;
+    const double half = std::sqrt((radius * radius - off2) / length2);
+    Stretches rest;
+    for (const auto& [begin, end] : left) {
+      if (begin < std::min(end, middle - half)) rest.push_back({begin, std::min(end, middle - half)});
+      if (std::max(begin, middle + half) < end) rest.push_back({std::max(begin, middle + half), end});
+    }
+    left = rest;
+  }
+  return left;
 }
 
 std::array<int, 2> pair_of(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
@@ -126,7 +166,7 @@ class TouchCandidates {
     for (auto i = order.begin(); i != order.end(); ++i)
       for (auto j = i + 1; j != order.end() && low(*j) <= boxes_[at(*i)].hi.x(); ++j)
         if (boxes_[at(*i)].overlaps(boxes_[at(*j)]) && have_common_region(model.face(*i), model.face(*j)) &&
-            !have_common_vertex(model.face(*i), model.face(*j))) {
+            !have_common_edge(model.face(*i), model.face(*j))) {
           of_[at(*i)].push_back(*j);
           of_[at(*j)].push_back(*i);
         }
@@ -217,8 +257,11 @@ class NearPlaces {
       if (!candidates_.box(other).overlaps(box)) continue;
       const double limit = deviation_of(face) + deviation_of(other) + near_;
       if (candidates_.own_box(other).squared_gap(from, to) > limit * limit) continue;
-      if (const auto found = nearest_of(from, to, other, limit))
-        add({found->first, found->second, 2.0 * half, {face, other}});
+      const double clear = kAboutVertex * model_.diagonal();
+      for (const auto& [begin, end] :
+           outside_of_balls(from, to, common_vertices(model_, {face, other}), clear))
+        if (const auto found = nearest_of(from + begin * (to - from), from + end * (to - from), other, limit))
+          add({found->first, found->second, 2.0 * half, {face, other}});
     }
   }
 
@@ -274,7 +317,7 @@ class NearPlaces {
 
 std::optional<FaceTouch> face_touch(const Model& model, const std::array<int, 2>& face, const Vec3& place,
                                     double reach, double near) {
-  if (face[0] == face[1] || have_common_vertex(model.face(face[0]), model.face(face[1]))) return std::nullopt;
+  if (face[0] == face[1] || have_common_edge(model.face(face[0]), model.face(face[1]))) return std::nullopt;
   constexpr int kSteps = 6;
   Approach approach(model, face, place);
   constexpr double kProgress = 0.9;  // a step that leaves more of the distance has found its least
@@ -283,6 +326,8 @@ std::optional<FaceTouch> face_touch(const Model& model, const std::array<int, 2>
     if (!approach.step(reach) || approach.distance() > kProgress * before) break;
   }
   if (approach.distance() > near) return std::nullopt;
+  for (const Vec3& vertex : common_vertices(model, face))
+    if ((approach.place() - vertex).norm() < kAboutVertex * model.diagonal()) return std::nullopt;
   return FaceTouch{face, approach.place(), approach.distance()};
 }
 

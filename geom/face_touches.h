@@ -10,7 +10,7 @@
 
 namespace octet {
 
-/// Two faces without a vertex in common that come together.
+/// Two faces without an edge in common that come together, elsewhere than at a vertex of both.
 struct FaceTouch {
   std::array<int, 2> face{};  ///< tags
   Vec3 place = Vec3::Zero();  ///< on the first
@@ -21,7 +21,8 @@ struct FaceTouch {
 inline constexpr double kTouchShare = 1e-7;
 
 /// Where two faces come nearer than `near` to each other no farther than about `reach` from a place on the
-/// first; nothing where they have a vertex in common or no such place is found. Tangent faces, whose distance
+/// first; nothing where they have an edge in common, where it is about a vertex of both (a thousandth of the
+/// model's diagonal), or no such place is found. Tangent faces, whose distance
 /// falls with the square of that from the contact, are followed as well as crossing ones.
 [[nodiscard]] std::optional<FaceTouch> face_touch(const Model& model, const std::array<int, 2>& face,
                                                   const Vec3& place, double reach, double near);

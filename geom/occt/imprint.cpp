@@ -53,16 +53,20 @@ class Imprint {
   [[nodiscard]] Imprinted result() const { return {solids_, history_, joined_, doubles_.Extent()}; }
 
  private:
+  /// Whether they have more vertices in common than before.
   bool are_joined(const std::array<TopoDS_Face, 2>& pair) {
-    TopTools_IndexedMapOfShape vertices;
-    for (const TopoDS_Shape& image : fuse_->images_of(pair[0]))
-      TopExp::MapShapes(image, TopAbs_VERTEX, vertices);
-    for (const TopoDS_Shape& image : fuse_->images_of(pair[1])) {
-      const TopTools_IndexedMapOfShape others = sub_shapes(image, TopAbs_VERTEX);
-      for (int i = 1; i <= others.Extent(); ++i)
-        if (vertices.Contains(others(i))) return true;
-    }
-    return false;
+    TopTools_IndexedMapOfShape one, other;
+    for (const TopoDS_Shape& image : fuse_->images_of(pair[0])) TopExp::MapShapes(image, TopAbs_VERTEX, one);
+    for (const TopoDS_Shape& image : fuse_->images_of(pair[1]))
+      TopExp::MapShapes(image, TopAbs_VERTEX, other);
+    return in_both(one, other) >
+           in_both(sub_shapes(pair[0], TopAbs_VERTEX), sub_shapes(pair[1], TopAbs_VERTEX));
+  }
+
+  static int in_both(const TopTools_IndexedMapOfShape& one, const TopTools_IndexedMapOfShape& other) {
+    int count = 0;
+    for (int i = 1; i <= one.Extent(); ++i) count += other.Contains(one(i)) ? 1 : 0;
+    return count;
   }
 
   void rebuild() {

@@ -58,7 +58,7 @@ class Meeting {
     const auto pairs = faces_of(touching);
     const Imprinted imprinted = imprint_faces(set_.solids, pairs);
     set_.notes.push_back(fmt::format(
-        "{} pair(s) of faces touch without an edge or a vertex that they share, the first is Face {} and "
+        "{} pair(s) of faces touch where they share no edge and no vertex, the first is Face {} and "
         "Face {}; {} pair(s) were imprinted on each other",
         touching.size(), touching.front()[0], touching.front()[1], imprinted.joined));
     if (imprinted.doubles > 0)

@@ -141,10 +141,9 @@ Model read_imprinted(ReadJob job, Model model) {
   }
   return with_note(
       model,
-      fmt::format(
-          "{} pair(s) of faces touch without an edge or a vertex that they share, the first is Face {} "
-          "and Face {}; they are left so, for imprinted on each other: {}",
-          pairs.size(), pairs.front()[0], pairs.front()[1], loss));
+      fmt::format("{} pair(s) of faces touch where they share no edge and no vertex, the first is Face {} "
+                  "and Face {}; they are left so, for imprinted on each other: {}",
+                  pairs.size(), pairs.front()[0], pairs.front()[1], loss));
 }
 
 }  // namespace octet
