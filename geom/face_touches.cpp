@@ -21,8 +21,10 @@ namespace {
 constexpr int kPlacesPerFace = 6;
 constexpr std::size_t kMostFaces = 400;
 
-/// What two faces touch at about a vertex that they share, within this share of the diagonal, is that vertex.
-constexpr double kAboutVertex = 1e-3;
+struct Ball {
+  Vec3 centre = Vec3::Zero();
+  double radius = 0.0;
+};
 
 bool have_common_edge(const ModelFace& a, const ModelFace& b) {
   return std::any_of(a.boundary.begin(), a.boundary.end(), [&](const FaceBoundary& side) {
@@ -31,25 +33,29 @@ bool have_common_edge(const ModelFace& a, const ModelFace& b) {
   });
 }
 
-std::vector<Vec3> common_vertices(const Model& model, const std::array<int, 2>& face) {
+/// About the vertices that both faces have: where they come near within one, it is at that vertex.
+std::vector<Ball> about_common_vertices(const Model& model, const std::array<int, 2>& face) {
+  constexpr double kShare = 1e-3, kTolerances = 2.0;  // the share is of the diagonal
   std::vector<int> tags;
   const std::vector<int>&a = model.face(face[0]).vertices, &b = model.face(face[1]).vertices;
   std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(tags));
-  std::vector<Vec3> points;
-  for (const int v : tags) points.push_back(model.vertex(v).point);
-  return points;
+  std::vector<Ball> balls;
+  for (const int v : tags) {
+    const ModelVertex& vertex = model.vertex(v);
+    balls.push_back({vertex.point, kShare * model.diagonal() + kTolerances * vertex.tolerance});
+  }
+  return balls;
 }
 
 /// Stretches of a segment, as shares of its length.
 using Stretches = std::vector<std::array<double, 2>>;
 
-/// What is left of a segment outside of balls of this radius.
-Stretches outside_of_balls(const Vec3& from, const Vec3& to, const std::vector<Vec3>& centres,
-                           double radius) {
+/// What is left of a segment outside of the balls.
+Stretches outside_of(const std::vector<Ball>& balls, const Vec3& from, const Vec3& to) {
   Stretches left{{0.0, 1.0}};
   const Vec3 way = to - from;
   const double length2 = way.squaredNorm();
-  for (const Vec3& centre : centres) {
+  for (const auto& [centre, radius] : balls) {
     if (!(length2 > 0.0)) return (from - centre).norm() < radius ? Stretches{} : left;
     const double middle = (centre - from).dot(way) / length2;
     const double off2 = (from + middle * way - centre).squaredNorm();
@@ -257,9 +263,7 @@ class NearPlaces {
       if (!candidates_.box(other).overlaps(box)) continue;
       const double limit = deviation_of(face) + deviation_of(other) + near_;
       if (candidates_.own_box(other).squared_gap(from, to) > limit * limit) continue;
-      const double clear = kAboutVertex * model_.diagonal();
-      for (const auto& [begin, end] :
-           outside_of_balls(from, to, common_vertices(model_, {face, other}), clear))
+      for (const auto& [begin, end] : outside_of(about_common_vertices(model_, {face, other}), from, to))
         if (const auto found = nearest_of(from + begin * (to - from), from + end * (to - from), other, limit))
           add({found->first, found->second, 2.0 * half, {face, other}});
     }
@@ -326,8 +330,8 @@ std::optional<FaceTouch> face_touch(const Model& model, const std::array<int, 2>
     if (!approach.step(reach) || approach.distance() > kProgress * before) break;
   }
   if (approach.distance() > near) return std::nullopt;
-  for (const Vec3& vertex : common_vertices(model, face))
-    if ((approach.place() - vertex).norm() < kAboutVertex * model.diagonal()) return std::nullopt;
+  for (const Ball& ball : about_common_vertices(model, face))
+    if ((approach.place() - ball.centre).norm() < ball.radius) return std::nullopt;
   return FaceTouch{face, approach.place(), approach.distance()};
 }
 

@@ -22,7 +22,7 @@ inline constexpr double kTouchShare = 1e-7;
 
 /// Where two faces come nearer than `near` to each other no farther than about `reach` from a place on the
 /// first; nothing where they have an edge in common, where it is about a vertex of both (a thousandth of the
-/// model's diagonal), or no such place is found. Tangent faces, whose distance
+/// model's diagonal and twice its tolerance), or no such place is found. Tangent faces, whose distance
 /// falls with the square of that from the contact, are followed as well as crossing ones.
 [[nodiscard]] std::optional<FaceTouch> face_touch(const Model& model, const std::array<int, 2>& face,
                                                   const Vec3& place, double reach, double near);

@@ -28,8 +28,8 @@ namespace {
 constexpr std::array<double, 4> kTolerances{0.0, 1e-8, 1e-7, 1e-6};
 /// No tolerance is more than this share of the smallest solid's diagonal.
 constexpr double kLargestTolerance = 1e-5;
-/// What two solids fill together, or what parts them, is noise when it is thinner than this share of the
-/// diagonal.
+/// What two solids fill together, what one of them fills beside that, or what parts them, is noise when it is
+/// thinner than this share of the diagonal.
 constexpr double kThin = 1e-6;
 
 using Group = std::vector<std::size_t>;  ///< indices of solids, ascending
@@ -67,7 +67,7 @@ double diagonal_of_all(const std::vector<TopoDS_Shape>& solids) {
   return diagonal_of(all);
 }
 
-/// Without conflicts, thin overlaps and gaps if any tolerance gives that; else that with the fewest. Circles
+/// Without conflicts, thin pieces and gaps if any tolerance gives that; else that with the fewest. Circles
 /// of contact are left away where the fuse gets worse by them.
 std::unique_ptr<GroupFuse> best_fuse(const std::vector<TopoDS_Shape>& solids) {
   const double diagonal = diagonal_of_all(solids);
@@ -75,7 +75,7 @@ std::unique_ptr<GroupFuse> best_fuse(const std::vector<TopoDS_Shape>& solids) {
   for (const TopoDS_Shape& solid : solids) smallest = std::min(smallest, diagonal_of(box_of(solid)));
   const std::vector<TopoDS_Edge> contacts = contacts_of(solids, kContactShare * diagonal);
   const auto badness = [](const GroupFuse& fuse) {
-    return std::make_tuple(fuse.failed(), fuse.conflicts().size(), fuse.thin_overlaps() + fuse.near().count);
+    return std::make_tuple(fuse.failed(), fuse.conflicts().size(), fuse.thin_pieces() + fuse.near().count);
   };
   const double largest = kLargestTolerance * smallest;
   std::unique_ptr<GroupFuse> best;
@@ -90,9 +90,9 @@ std::unique_ptr<GroupFuse> best_fuse(const std::vector<TopoDS_Shape>& solids) {
     const double tolerance = std::min(share * diagonal, largest);
     if (tolerance <= last) break;
     last = tolerance;
-    if (best && best->sound() && best->thin_overlaps() == 0 && tolerance < best->near().narrowest) continue;
+    if (best && best->sound() && best->thin_pieces() == 0 && tolerance < best->near().narrowest) continue;
     if (!attempt(contacts, tolerance) && !contacts.empty()) attempt({}, tolerance);
-    if (best->sound() && best->thin_overlaps() == 0 && best->near().count == 0) break;
+    if (best->sound() && best->thin_pieces() == 0 && best->near().count == 0) break;
   }
   return best;
 }

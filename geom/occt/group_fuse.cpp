@@ -165,7 +165,7 @@ GroupFuse::GroupFuse(const std::vector<TopoDS_Shape>& solids, const std::vector<
   history_ = builder_.History();
   for (const TopoDS_Shape& solid : solids) images_.push_back(images_of(solid));
   find_conflicts(solids);
-  count_thin_overlaps(thin);
+  count_thin_pieces(thin);
   find_near_faces(thin);
   find_pieces(solids);
 }
@@ -210,10 +210,14 @@ void GroupFuse::find_conflicts(const std::vector<TopoDS_Shape>& solids) {
   sides.find_conflicts(conflicts_);
 }
 
-void GroupFuse::count_thin_overlaps(double thin) {
+void GroupFuse::count_thin_pieces(double thin) {
   const Owners owners(images_, TopAbs_SOLID);
-  for (std::size_t k = 0; k < owners.size(); ++k)
-    if (owners.of(k).size() > 1 && thickness_of(owners.shape(k)) < thin) ++thin_overlaps_;
+  for (std::size_t k = 0; k < owners.size(); ++k) {
+    const std::vector<std::size_t>& of = owners.of(k);
+    const bool is_part =
+        std::any_of(of.begin(), of.end(), [&](std::size_t i) { return images_[i].size() > 1; });
+    if ((is_part || of.size() > 1) && thickness_of(owners.shape(k)) < thin) ++thin_pieces_;
+  }
 }
 
 void GroupFuse::find_near_faces(double thin) {

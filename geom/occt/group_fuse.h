@@ -30,8 +30,8 @@ struct FuseConflict {
 
 class GroupFuse {
  public:
-  /// `contacts` take part in the fuse. `thin`: what two solids fill together, or what parts their faces, is
-  /// noise when it is thinner than this.
+  /// `contacts` take part in the fuse. `thin`: what two solids fill together, what one of them fills
+  /// beside that, or what parts their faces, is noise when it is thinner than this.
   GroupFuse(const std::vector<TopoDS_Shape>& solids, const std::vector<TopoDS_Edge>& contacts,
             double tolerance, double thin);
 
@@ -40,7 +40,8 @@ class GroupFuse {
   /// Solids left open or without anything, two on one side of a face, faces of others inside of one, pieces
   /// of a line along which two touch.
   [[nodiscard]] const std::vector<FuseConflict>& conflicts() const { return conflicts_; }
-  [[nodiscard]] int thin_overlaps() const { return thin_overlaps_; }
+  /// Thin overlaps, and thin parts of solids that overlap others with the rest.
+  [[nodiscard]] int thin_pieces() const { return thin_pieces_; }
   /// Faces of two solids, shared by neither, that lie on one another but for noise.
   [[nodiscard]] const NearFaces& near() const { return near_; }
   [[nodiscard]] double tolerance() const { return tolerance_; }
@@ -54,7 +55,7 @@ class GroupFuse {
   [[nodiscard]] std::vector<TopoDS_Shape> images_of(const TopoDS_Shape& solid) const;
   void find_conflicts(const std::vector<TopoDS_Shape>& solids);
   void find_opening(std::size_t solid, const TopoDS_Shape& image);
-  void count_thin_overlaps(double thin);
+  void count_thin_pieces(double thin);
   void find_near_faces(double thin);
   void find_pieces(const std::vector<TopoDS_Shape>& solids);
 
@@ -64,7 +65,7 @@ class GroupFuse {
   Handle(BRepTools_History) history_;
   std::vector<std::vector<TopoDS_Shape>> images_;
   std::vector<FuseConflict> conflicts_;
-  int thin_overlaps_ = 0;
+  int thin_pieces_ = 0;
   NearFaces near_;
 };
 

@@ -53,14 +53,15 @@ class Imprint {
   [[nodiscard]] Imprinted result() const { return {solids_, history_, joined_, doubles_.Extent()}; }
 
  private:
-  /// Whether they have more vertices in common than before.
+  /// Whether they have more vertices or edges in common than before.
   bool are_joined(const std::array<TopoDS_Face, 2>& pair) {
-    TopTools_IndexedMapOfShape one, other;
-    for (const TopoDS_Shape& image : fuse_->images_of(pair[0])) TopExp::MapShapes(image, TopAbs_VERTEX, one);
-    for (const TopoDS_Shape& image : fuse_->images_of(pair[1]))
-      TopExp::MapShapes(image, TopAbs_VERTEX, other);
-    return in_both(one, other) >
-           in_both(sub_shapes(pair[0], TopAbs_VERTEX), sub_shapes(pair[1], TopAbs_VERTEX));
+    for (const TopAbs_ShapeEnum type : {TopAbs_VERTEX, TopAbs_EDGE}) {
+      TopTools_IndexedMapOfShape one, other;
+      for (const TopoDS_Shape& image : fuse_->images_of(pair[0])) TopExp::MapShapes(image, type, one);
+      for (const TopoDS_Shape& image : fuse_->images_of(pair[1])) TopExp::MapShapes(image, type, other);
+      if (in_both(one, other) > in_both(sub_shapes(pair[0], type), sub_shapes(pair[1], type))) return true;
+    }
+    return false;
   }
 
   static int in_both(const TopTools_IndexedMapOfShape& one, const TopTools_IndexedMapOfShape& other) {

@@ -83,6 +83,21 @@ TEST(Fuse, AnOverlapOfLittleMoreThanTolerancesIsFusedWithATolerance) {
   EXPECT_TRUE(model.parts().faults.empty());
 }
 
+TEST(Fuse, OneBodyTwiceButForNoiseIsOne) {
+  const auto bored = [](double x) {
+    const gp_Ax2 axes(gp_Pnt(x + 0.5, 0.5, -1.0), gp::DZ());
+    return BRepAlgoAPI_Cut(box(x, x + 2.0), BRepPrimAPI_MakeCylinder(axes, 0.2, 3.0).Shape()).Shape();
+  };
+  const auto twice = [&](double shift) {
+    return model_from_shape(compound_of({box(5, 6), bored(0.0), bored(shift)}));
+  };
+  const Model noise = twice(1e-6), more = twice(1e-3);
+  EXPECT_TRUE(has_note(noise, "were fused with a tolerance of"));
+  EXPECT_EQ(noise.count(3), 2);
+  EXPECT_FALSE(has_note(more, "were fused with a tolerance of"));
+  EXPECT_GT(more.count(3), 3) << "what they share, and what each has beside that";
+}
+
 TEST(Fuse, AGapOfNoMoreThanNoiseIsClosedWithATolerance) {
   // The second box does not reach the first, whose face is larger, by a ten-millionth of the diagonal.
   const TopoDS_Shape small = BRepPrimAPI_MakeBox(gp_Pnt(100 + 2e-5, 30, 30), gp_Pnt(150, 60, 60)).Shape();
