@@ -56,11 +56,10 @@ Stretches outside_of(const std::vector<Ball>& balls, const Vec3& from, const Vec
   const Vec3 way = to - from;
   const double length2 = way.squaredNorm();
   for (const auto& [centre, radius] : balls) {
-    if (!(length2 > 0.0)) return (from - centre).norm() < radius ? Stretches{} : left;
-    const double middle = (centre - from).dot(way) / length2;
+    const double middle = length2 > 0.0 ? (centre - from).dot(way) / length2 : 0.0;
     const double off2 = (from + middle * way - centre).squaredNorm();
     if (off2 >= radius * radius) continue;
-    const double half = std::sqrt((radius * radius - off2) / length2);
+    const double half = length2 > 0.0 ? std::sqrt((radius * radius - off2) / length2) : 1.0;
     Stretches rest;
     for (const auto& [begin, end] : left) {
       if (begin < std::min(end, middle - half)) rest.push_back({begin, std::min(end, middle - half)});

@@ -97,9 +97,10 @@ TopoDS_Shape face_with(const TopoDS_Shape& shape, const TopoDS_Edge& edge) {
 
 /// What to do about an opening of this width. Sewing joins what is nearer than a hundredth of the part; the
 /// tolerance is half as much again, in two digits, for the width is that at one place.
-std::string advice_for(double gap, double diagonal) {
+std::string advice_for(double gap, double diagonal, double sewn) {
   constexpr double kSewable = 0.01, kReserve = 1.5;
   if (gap > kSewable * diagonal) return "close the shell there: no other face comes near";
+  if (kReserve * gap <= sewn) return "close the shell there";
   return fmt::format("sew its faces with --sew {:.2g}, or close the shell there", kReserve * gap);
 }
 
@@ -126,7 +127,7 @@ int number_as_read(int dim, const TopoDS_Shape& shape, const ShapeMaps& as_read,
   return 0;
 }
 
-Fault opening_of(const TopoDS_Shape& shape, const ShapeMaps& as_read, const SolidSet& set) {
+Fault opening_of(const TopoDS_Shape& shape, const ShapeMaps& as_read, const SolidSet& set, double sewn) {
   Fault fault;
   fault.cause = "it holds no solid and no closed shell";
   const std::vector<TopoDS_Edge> edges = free_edges(shape);
@@ -151,7 +152,7 @@ Fault opening_of(const TopoDS_Shape& shape, const ShapeMaps& as_read, const Soli
   if (edges.size() > 1) {
     fault.cause += fmt::format(", one of {} free edges and the farthest from any other, {:.3g} mm",
                                edges.size(), widest);
-    fault.advice = advice_for(widest, diagonal_of(box_of(shape)));
+    fault.advice = advice_for(widest, diagonal_of(box_of(shape)), sewn);
   }
   return fault;
 }
@@ -176,7 +177,7 @@ SolidSet collect_solids(const TopoDS_Shape& shape, const ShapeMaps& as_read, dou
     set.solids.insert(set.solids.end(), sewn.solids.begin(), sewn.solids.end());
   }
   if (set.solids.empty()) {
-    const Fault opening = opening_of(sewn.shape.IsNull() ? shape : sewn.shape, as_read, set);
+    const Fault opening = opening_of(sewn.shape.IsNull() ? shape : sewn.shape, as_read, set, sewn.tolerance);
     std::string sewing;
     if (loose.size() > 1)
       sewing = fmt::format(" with its {} faces sewn within {:.3g} mm", loose.size(), sewn.tolerance);

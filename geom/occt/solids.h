@@ -35,9 +35,10 @@ struct SolidSet {
                                  const SolidSet& set);
 
 /// Why `shape`, a part of the shape as read or of what became of that, bounds no volume: of its free edges
-/// the one that is farthest from all others, numbered as read. The advice is a tolerance where sewing may
-/// help.
-[[nodiscard]] Fault opening_of(const TopoDS_Shape& shape, const ShapeMaps& as_read, const SolidSet& set);
+/// the one that is farthest from all others, numbered as read. The advice is a tolerance where sewing with
+/// more than `sewn`, which has been tried, may help.
+[[nodiscard]] Fault opening_of(const TopoDS_Shape& shape, const ShapeMaps& as_read, const SolidSet& set,
+                               double sewn);
 
 /// Closed shells become solids, loose faces are sewn (sew_faces()). `shape` is not changed.
 /// ModelError: nothing in it bounds a volume (names the first free edge, a face of it and its place).
