@@ -19,7 +19,6 @@
 #include "geom/occt/crossed_sides.h"
 #include "geom/occt/edge_uses.h"
 #include "geom/occt/entity_names.h"
-#include "geom/occt/false_poles.h"
 #include "geom/occt/folds.h"
 #include "geom/occt/hairlines.h"
 #include "geom/occt/rings.h"
@@ -56,7 +55,6 @@ class Healer {
       log_(fmt::format("checking {}", names_.solid(set_.solids[i])));
       volume_.reset();
       curves_.add_to(set_.solids[i]);
-      take_false_poles(set_.solids[i]);
       curves_.renew(set_.solids[i]);
       curves_.add_pole_edges(set_.solids[i]);
       turn_faces(set_.solids[i]);
@@ -80,16 +78,6 @@ class Healer {
   void replace(TopoDS_Shape& solid, const TopoDS_Shape& by) {
     set_.history->AddModified(solid, by);
     solid = by;
-  }
-
-  void take_false_poles(TopoDS_Shape& solid) {
-    const Repair repair = drop_false_poles(solid);
-    if (repair.entities.empty() || repair.solid.ShapeType() != TopAbs_SOLID) return;
-    set_.notes.push_back(fmt::format(
-        "{} face(s) of {} had edges without length where they are no point, which were taken away: {}",
-        repair.entities.size(), names_.solid(solid), names_.listed("Face", 2, repair.entities)));
-    set_.history->Merge(repair.history);
-    replace(solid, repair.solid);
   }
 
   void turn_faces(TopoDS_Shape& solid) {

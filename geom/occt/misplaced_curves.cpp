@@ -27,6 +27,8 @@
 #include <limits>
 #include <utility>
 
+#include "geom/occt/shape_box.h"
+
 namespace octet {
 namespace {
 
@@ -100,8 +102,10 @@ void move_curve(const TopoDS_Edge& edge, const TopoDS_Face& face, const gp_Vec2d
 }
 
 /// Takes edges out of a loop that pass for poles, but whose curve on the face runs where there is none: they
-/// were to bridge what lies whole periods apart.
+/// were to bridge what lies whole periods apart. OCCT's reader may give their vertices a tolerance that holds
+/// all of such a curve, so that of the face's size no more than a share is left to it.
 bool drop_false_poles(TopoDS_Wire wire, const TopoDS_Face& face) {
+  constexpr double kShare = 0.01;
   const auto surface = BRep_Tool::Surface(face);
   std::vector<TopoDS_Edge> poles;
   for (TopoDS_Iterator it(wire); it.More(); it.Next()) {
@@ -116,9 +120,8 @@ bool drop_false_poles(TopoDS_Wire wire, const TopoDS_Face& face) {
     const gp_Pnt end = at(0.0);
     double away = 0.0;
     for (const double share : {0.1, 0.3, 0.6}) away = std::max(away, end.Distance(at(share)));
-    const TopoDS_Vertex vertex = TopExp::FirstVertex(edge);
-    if (end.Distance(at(1.0)) <= Precision::Confusion() &&
-        away > std::max(BRep_Tool::Tolerance(vertex), 10.0 * Precision::Confusion()))
+    if (end.Distance(at(1.0)) > Precision::Confusion() || away <= 10.0 * Precision::Confusion()) continue;
+    if (away > std::min(BRep_Tool::Tolerance(TopExp::FirstVertex(edge)), kShare * diagonal_of(box_of(face))))
       poles.push_back(edge);
   }
   wire.Free(true);
