@@ -33,9 +33,6 @@
 namespace octet {
 namespace {
 
-/// Of the diagonal: spikes and slits so narrow are closed whatever is asked. Nothing of the part's volume
-/// goes with them, and its mesh would have flat elements all along them.
-constexpr double kHairlineShare = 1e-6;
 /// What changes more of a solid's volume, all together, is no small feature of it: the solid is one, or a
 /// sheet.
 constexpr double kMostVolumeShare = 0.05;
@@ -168,18 +165,17 @@ class Healer {
           "are no longer than " + name + " and became vertices");
     adopt(solid, split_touched_edges(solid, smallest()), 1,
           "are touched by a vertex of their face and were split there");
-    const double hairline = std::max(smallest(), kHairlineShare * current_diagonal());
-    split_crossed(solid, hairline);
-    adopt(solid, close_hairlines(solid, hairline), 1,
+    split_crossed(solid, smallest());
+    adopt(solid, close_hairlines(solid, smallest()), 1,
           "were sides of spikes or slits no wider than their tolerance, or than " + name +
               ", and became one with those beside them");
   }
 
   /// Where what is between the sides can be closed then.
-  void split_crossed(TopoDS_Shape& solid, double hairline) {
+  void split_crossed(TopoDS_Shape& solid, double smallest) {
     const Repair split = split_crossed_sides(solid);
     if (split.entities.empty()) return;
-    const Repair closed = close_hairlines(split.solid, hairline);
+    const Repair closed = close_hairlines(split.solid, smallest);
     if (closed.entities.empty() || !keeps_volume(solid, volume_of(closed.solid))) return;
     adopt(solid, split, 1,
           "cross a side beside them that they lie on within the tolerance, and were split there");

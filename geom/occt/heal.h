@@ -16,7 +16,8 @@ struct HealOptions {
 };
 
 /// Of a solid's diagonal: what is no longer or wider is what a modeller's or a translator's rounding left.
-inline constexpr double kVanishingShare = 1e-7;
+/// Nothing of the part's volume goes with it, and its mesh would have flat elements all along it.
+inline constexpr double kVanishingShare = 1e-6;
 
 /// Nothing is touched that is right, and each repair is one line in set.notes with its count and the first
 /// entity, numbered as read:

@@ -132,6 +132,11 @@ TEST(Heal, AFaceNoWiderThanItsSidesLieOffItBecomesAnEdge) {
   expect_the_strip(model_from_shape(box_with_a_strip(0.04, 1e-7, 0.005)));
 }
 
+TEST(Heal, AFaceNoWiderThanRoundingLeavesBecomesAnEdge) {
+  expect_no_strip(model_from_shape(box_with_a_strip(3e-6, 1e-7)));  // the diagonal is 3.7
+  expect_the_strip(model_from_shape(box_with_a_strip(3e-5, 1e-7)));
+}
+
 TEST(Heal, SaysNothingOfAHealthyPart) {
   EXPECT_TRUE(model_from_shape(BRepPrimAPI_MakeBox(1.0, 2.0, 3.0).Shape()).notes().empty());
   EXPECT_TRUE(model_from_shape(BRepPrimAPI_MakeCylinder(1.0, 2.0).Shape()).notes().empty());
