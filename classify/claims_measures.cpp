@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/segment.h"
 #include "classify/claims.h"
 
 namespace octet {
@@ -24,13 +25,6 @@ double circumradius(const ClaimInput& in, std::uint32_t t) {
                        (in.point(v[2]) - in.point(v[0])).norm();
   const double area = area_of(in, t);
   return area > 0.0 ? sides / (4.0 * area) : in.longest_side(v);
-}
-
-double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
-  const Vec3 d = b - a;
-  const double s = d.squaredNorm();
-  const double t = s > 0.0 ? std::clamp((p - a).dot(d) / s, 0.0, 1.0) : 0.0;
-  return (a + t * d - p).norm();
 }
 
 struct PieceMeasure {

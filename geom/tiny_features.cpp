@@ -7,7 +7,7 @@
 namespace octet {
 namespace {
 
-double least_gap(const Model& model) { return 1e-6 * model.diagonal(); }
+double least_gap(const Model& model) { return kRoundingShare * model.diagonal(); }
 
 /// Of an edge and its vertices.
 double gap_around(const Model& model, const ModelEdge& edge) {

@@ -5,17 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/segment.h"
+
 namespace octet {
 namespace {
 
 constexpr double kInflate = 1.5;
-
-double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
-  const Vec3 d = b - a;
-  const double n = d.squaredNorm();
-  const double t = n > 0.0 ? std::clamp((p - a).dot(d) / n, 0.0, 1.0) : 0.0;
-  return (p - a - t * d).norm();
-}
 
 double distance_to_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 n = (b - a).cross(c - a);

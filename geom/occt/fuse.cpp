@@ -20,6 +20,7 @@
 #include "geom/occt/edge_uses.h"
 #include "geom/occt/group_fuse.h"
 #include "geom/occt/shape_box.h"
+#include "geom/tiny_features.h"
 
 namespace octet {
 namespace {
@@ -28,10 +29,6 @@ namespace {
 constexpr std::array<double, 4> kTolerances{0.0, 1e-8, 1e-7, 1e-6};
 /// No tolerance is more than this share of the smallest solid's diagonal.
 constexpr double kLargestTolerance = 1e-5;
-/// What two solids fill together, what one of them fills beside that, or what parts them, is noise when it is
-/// thinner than this share of the diagonal.
-constexpr double kThin = 1e-6;
-
 using Group = std::vector<std::size_t>;  ///< indices of solids, ascending
 
 /// Groups of at least two solids that hang together by boxes that meet, or are parted by noise.
@@ -39,7 +36,7 @@ std::vector<Group> touching_groups(const std::vector<TopoDS_Shape>& solids, cons
   std::vector<Bnd_Box> boxes;
   for (const TopoDS_Shape& solid : solids) {
     boxes.push_back(box_of(solid));
-    boxes.back().Enlarge(kThin * diagonal_of(boxes.back()));
+    boxes.back().Enlarge(kRoundingShare * diagonal_of(boxes.back()));
   }
   Group lead(solids.size());
   std::iota(lead.begin(), lead.end(), std::size_t{0});
@@ -80,7 +77,7 @@ std::unique_ptr<GroupFuse> best_fuse(const std::vector<TopoDS_Shape>& solids) {
   const double largest = kLargestTolerance * smallest;
   std::unique_ptr<GroupFuse> best;
   const auto attempt = [&](const std::vector<TopoDS_Edge>& with, double tolerance) {
-    auto fuse = std::make_unique<GroupFuse>(solids, with, tolerance, kThin * diagonal);
+    auto fuse = std::make_unique<GroupFuse>(solids, with, tolerance, kRoundingShare * diagonal);
     const bool sound = fuse->sound();
     if (!best || badness(*fuse) < badness(*best)) best = std::move(fuse);
     return sound;

@@ -29,6 +29,7 @@
 #include "geom/occt/strips.h"
 #include "geom/occt/touched_edges.h"
 #include "geom/occt/voids.h"
+#include "geom/tiny_features.h"
 
 namespace octet {
 namespace {
@@ -153,7 +154,7 @@ class Healer {
       return diagonal;
     };
     const auto smallest = [&] {
-      return std::max(options_.smallest_feature, kVanishingShare * current_diagonal());
+      return std::max(options_.smallest_feature, kRoundingShare * current_diagonal());
     };
     const std::string name = smallest_name();
     adopt(solid, shrink_spots(solid, smallest()), 2, "are no larger than " + name + " and became vertices");

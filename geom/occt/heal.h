@@ -12,12 +12,8 @@ namespace octet {
 
 struct HealOptions {
   double sew_tolerance = 0.0;     ///< mm; 0: growing ones
-  double smallest_feature = 0.0;  ///< mm; at least kVanishingShare of the solid's diagonal
+  double smallest_feature = 0.0;  ///< mm; at least kRoundingShare of the solid's diagonal
 };
-
-/// Of a solid's diagonal: what is no longer or wider is what a modeller's or a translator's rounding left.
-/// Nothing of the part's volume goes with it, and its mesh would have flat elements all along it.
-inline constexpr double kVanishingShare = 1e-6;
 
 /// Nothing is touched that is right, and each repair is one line in set.notes with its count and the first
 /// entity, numbered as read:

@@ -121,7 +121,8 @@ bool drop_false_poles(TopoDS_Wire wire, const TopoDS_Face& face) {
     double away = 0.0;
     for (const double share : {0.1, 0.3, 0.6}) away = std::max(away, end.Distance(at(share)));
     if (end.Distance(at(1.0)) > Precision::Confusion() || away <= 10.0 * Precision::Confusion()) continue;
-    if (away > std::min(BRep_Tool::Tolerance(TopExp::FirstVertex(edge)), kShare * diagonal_of(box_of(face))))
+    if (away >
+        std::min(BRep_Tool::Tolerance(TopExp::FirstVertex(edge)), kShare * diagonal_of(bare_box_of(face))))
       poles.push_back(edge);
   }
   wire.Free(true);

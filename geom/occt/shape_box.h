@@ -18,6 +18,13 @@ inline Bnd_Box box_of(const TopoDS_Shape& shape) {
   return box;
 }
 
+/// Of the exact geometry, as tight as OCCT makes it, without tolerances: slow on free-form faces.
+inline Bnd_Box bare_box_of(const TopoDS_Shape& shape) {
+  Bnd_Box box;
+  BRepBndLib::AddOptimal(shape, box, false, false);
+  return box;
+}
+
 inline double diagonal_of(const Bnd_Box& box) { return box.IsVoid() ? 0.0 : std::sqrt(box.SquareExtent()); }
 
 /// The middle of its box.

@@ -17,6 +17,8 @@
 #include <limits>
 
 #include "base/error.h"
+#include "base/segment.h"
+#include "geom/occt/canonical.h"
 #include "geom/occt/sew.h"
 #include "geom/occt/shape_box.h"
 
@@ -35,39 +37,32 @@ std::vector<TopoDS_Shape> loose_faces(const ShapeMaps& maps, const std::vector<T
 }
 
 /// A bounded middle point of an edge, by its vertices when it has no curve.
-gp_Pnt place_of(const TopoDS_Edge& edge) {
+Vec3 place_of(const TopoDS_Edge& edge) {
   double first = 0.0, last = 0.0;
   const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, first, last);
-  if (!curve.IsNull()) return curve->Value(0.5 * (first + last));
+  if (!curve.IsNull()) return to_vec(curve->Value(0.5 * (first + last)));
   const TopoDS_Vertex vertex = TopExp::FirstVertex(edge);
-  return vertex.IsNull() ? gp_Pnt() : BRep_Tool::Pnt(vertex);
+  return vertex.IsNull() ? Vec3(Vec3::Zero()) : to_vec(BRep_Tool::Pnt(vertex));
 }
 
 /// Points along an edge, the ends among them; none where it has no curve.
-std::vector<gp_Pnt> points_along(const TopoDS_Edge& edge) {
+std::vector<Vec3> points_along(const TopoDS_Edge& edge) {
   constexpr int kPieces = 16;
   double first = 0.0, last = 0.0;
   const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, first, last);
-  std::vector<gp_Pnt> points;
+  std::vector<Vec3> points;
   for (int i = 0; i <= kPieces && !curve.IsNull(); ++i)
-    points.push_back(curve->Value(first + (last - first) * i / kPieces));
+    points.push_back(to_vec(curve->Value(first + (last - first) * i / kPieces)));
   return points;
-}
-
-double distance_to_segment(const gp_Pnt& p, const gp_Pnt& a, const gp_Pnt& b) {
-  const gp_Vec along(a, b), to(a, p);
-  const double length2 = along.SquareMagnitude();
-  const double share = length2 > 0.0 ? std::clamp(to.Dot(along) / length2, 0.0, 1.0) : 0.0;
-  return p.Distance(a.Translated(share * along));
 }
 
 /// How far the middle of the edge is from the nearest of the others, by points along them.
 double gap_at(const TopoDS_Edge& edge, const std::vector<TopoDS_Edge>& others) {
-  const gp_Pnt middle = place_of(edge);
+  const Vec3 middle = place_of(edge);
   double least = std::numeric_limits<double>::infinity();
   for (const TopoDS_Edge& other : others) {
     if (other.IsSame(edge)) continue;
-    const std::vector<gp_Pnt> points = points_along(other);
+    const std::vector<Vec3> points = points_along(other);
     for (std::size_t i = 1; i < points.size(); ++i)
       least = std::min(least, distance_to_segment(middle, points[i - 1], points[i]));
   }
@@ -141,13 +136,12 @@ Fault opening_of(const TopoDS_Shape& shape, const ShapeMaps& as_read, const Soli
     widest = gap;
     worst = &edges[i];
   }
-  const gp_Pnt at = place_of(*worst);
+  fault.place = place_of(*worst);
   const int number = number_as_read(1, *worst, as_read, set);
   fault.entity = model_edge(number);
-  fault.place = Vec3(at.X(), at.Y(), at.Z());
-  fault.cause =
-      fmt::format("Edge {} of Face {} is free (at {:.6g}, {:.6g}, {:.6g})", number,
-                  number_as_read(2, face_with(shape, *worst), as_read, set), at.X(), at.Y(), at.Z());
+  fault.cause = fmt::format("Edge {} of Face {} is free (at {:.6g}, {:.6g}, {:.6g})", number,
+                            number_as_read(2, face_with(shape, *worst), as_read, set), fault.place.x(),
+                            fault.place.y(), fault.place.z());
   fault.advice = "close the shell there";
   if (edges.size() > 1) {
     fault.cause += fmt::format(", one of {} free edges and the farthest from any other, {:.3g} mm",

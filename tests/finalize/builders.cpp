@@ -22,24 +22,6 @@ Triangle sorted(Triangle t) {
   return t;
 }
 
-/// Outward faces with one tetrahedron, and one side of faces between two regions.
-std::vector<Triangle> walls(const Mesh& mesh) {
-  std::map<Triangle, std::vector<std::pair<std::size_t, Triangle>>> sides;
-  for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
-    for (const auto& f : kTetFace) {
-      const Triangle face{mesh.tets[t][f[0]], mesh.tets[t][f[1]], mesh.tets[t][f[2]]};
-      sides[sorted(face)].emplace_back(t, face);
-    }
-  }
-  std::vector<Triangle> result;
-  for (const auto& [key, list] : sides) {
-    if (list.size() == 1 || mesh.tet_in[list[0].first] != mesh.tet_in[list[1].first]) {
-      result.push_back(list[0].second);
-    }
-  }
-  return result;
-}
-
 ModelRef nearest_entity(const Model& model, const Vec3& p, double tolerance) {
   for (int v = 1; v <= model.count(0); ++v) {
     if ((model.vertex(v).point - p).norm() < tolerance) return model_vertex(v);
@@ -170,6 +152,23 @@ Mesh lattice(int nx, int ny, int nz, const std::function<Vec3(const Vec3&)>& pla
     }
   }
   return mesh;
+}
+
+std::vector<Triangle> walls(const Mesh& mesh) {
+  std::map<Triangle, std::vector<std::pair<std::size_t, Triangle>>> sides;
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+    for (const auto& f : kTetFace) {
+      const Triangle face{mesh.tets[t][f[0]], mesh.tets[t][f[1]], mesh.tets[t][f[2]]};
+      sides[sorted(face)].emplace_back(t, face);
+    }
+  }
+  std::vector<Triangle> result;
+  for (const auto& [key, list] : sides) {
+    if (list.size() == 1 || mesh.tet_in[list[0].first] != mesh.tet_in[list[1].first]) {
+      result.push_back(list[0].second);
+    }
+  }
+  return result;
 }
 
 void classify_by_nearness(Mesh& mesh, const Model& model) {

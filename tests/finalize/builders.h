@@ -25,6 +25,9 @@ class Dice {
 /// n^3 cells over [0,1]^3, six tetrahedra each (along one diagonal), mapped by `place`. Not classified.
 [[nodiscard]] Mesh lattice(int nx, int ny, int nz, const std::function<Vec3(const Vec3&)>& place);
 
+/// Outward faces with one tetrahedron, and one side of faces between two regions.
+[[nodiscard]] std::vector<std::array<Mesh::Index, 3>> walls(const Mesh& mesh);
+
 /// Classifies the boundary of the tetrahedra on the model by nearness: vertices, triangles, edge pieces.
 /// Every tetrahedron is in region 1 unless tet_in says otherwise.
 void classify_by_nearness(Mesh& mesh, const Model& model);

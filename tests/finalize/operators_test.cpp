@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <map>
 
 #include "finalize/collapse.h"
 #include "finalize/edge_removal.h"
@@ -196,68 +195,10 @@ TEST(Split, MakesNoNicks) {
   EXPECT_FALSE(split_edge(bench.shop, TetId(0), v[0], v[1], -1.0, 0.0));
 }
 
-/// The outer faces of the mesh that lie in a plane of the model through the edge x = y = 0, classified there.
-void classify_notches(Part& part) {
-  Mesh& mesh = part.mesh;
-  std::map<std::array<Mesh::Index, 3>, std::array<Mesh::Index, 3>> outer;  // by its vertices in order
-  for (const auto& tet : mesh.tets)
-    for (const auto& face : kTetFace) {
-      const std::array<Mesh::Index, 3> triangle{tet[face[0]], tet[face[1]], tet[face[2]]};
-      std::array<Mesh::Index, 3> key = triangle;
-      std::sort(key.begin(), key.end());
-      if (!outer.emplace(key, triangle).second) outer.erase(key);
-    }
-  for (auto [key, triangle] : outer) {
-    const Vec3 &p = mesh.points[triangle[0]], &q = mesh.points[triangle[1]], &r = mesh.points[triangle[2]];
-    for (const Vec3& beside : {Vec3(0, 1, 1.5), Vec3(1, 0, 1.5)}) {
-      int face = 1;
-      while (part.model.face_closest(face, beside).distance > 1e-12) ++face;
-      const Vec3 normal = part.model.face_project(face, beside).normal, own = (q - p).cross(r - p);
-      if (std::abs(normal.dot(p)) + normal.cross(own).norm() > 1e-12) continue;
-      if (own.dot(normal) < 0.0) std::swap(triangle[1], triangle[2]);
-      mesh.triangles.push_back(triangle);
-      mesh.triangle_on.push_back(face);
-    }
-  }
-}
-
-/// 2 x 2 x 3 cells about the edge x = y = 0 of a box, without some in the middle layer: without two of them
-/// the rest touches itself along that edge from z = 1 to 2, and is one above and below. Only what meets this
-/// piece is classified.
-Part cells_about_edge(const std::vector<std::array<double, 2>>& without) {
-  Part part{analytic_box({2, 2, 3}), {}};
-  Mesh all = testing::lattice(2, 2, 3, [](const Vec3& p) -> Vec3 {
-    return p.cwiseProduct(Vec3(2.0, 2.0, 3.0)) - Vec3(1.0, 1.0, 0.0);
-  });
-  for (const auto& tet : all.tets) {
-    Vec3 centre = Vec3::Zero();
-    for (const Mesh::Index v : tet) centre += 0.25 * all.points[v];
-    const bool gone = std::any_of(without.begin(), without.end(), [&](const auto& cell) {
-      return std::abs(centre.z() - 1.5) < 0.5 && centre.x() * cell[0] > 0.0 && centre.y() * cell[1] > 0.0;
-    });
-    if (gone) continue;
-    part.mesh.tets.push_back(tet);
-    part.mesh.tet_in.push_back(1);
-  }
-  part.mesh.points = all.points;
-  part.mesh.point_on.assign(all.points.size(), model_region(1));
-  int edge = 1;
-  while (part.model.edge_closest(edge, {0, 0, 1.5}).distance > 1e-12) ++edge;
-  const auto number = [&](double z) {
-    return static_cast<Mesh::Index>(std::find(all.points.begin(), all.points.end(), Vec3(0, 0, z)) -
-                                    all.points.begin());
-  };
-  for (const double z : {1.0, 2.0}) part.mesh.point_on[number(z)] = model_edge(edge);
-  part.mesh.edges = {{number(1.0), number(2.0)}};
-  part.mesh.edge_on = {edge};
-  classify_notches(part);
-  return part;
-}
-
 TEST(Split, LeavesAnEdgeThatTheSolidTouchesItselfAlong) {
-  using Cells = std::vector<std::array<double, 2>>;
+  using testing::Cells;
   for (const Cells& without : {Cells{}, Cells{{1, 1}}, Cells{{1, 1}, {-1, -1}}}) {
-    Part part = cells_about_edge(without);
+    const Part part = testing::cells_about_edge(without);
     const FinalizeOptions options = testing::options_of_size(0.5);
     Workshop shop(to_work_mesh(part.mesh), part.model, options);
     const VertexId a = testing::vertex_near(shop.mesh, {0, 0, 1}),

@@ -2,12 +2,34 @@
 // Analytic parts with lattice meshes of them.
 #include "tests/finalize/parts.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "mesh/soundness.h"
 
 namespace octet::testing {
+
+namespace {
+
+/// The walls of the mesh that lie in the plane of the face at a place, a plane through the origin, are
+/// classified on that face.
+void classify_walls_in_plane(Part& part, const Vec3& place) {
+  Mesh& mesh = part.mesh;
+  int face = 1;
+  while (part.model.face_closest(face, place).distance > 1e-12) ++face;
+  const Vec3 normal = part.model.face_project(face, place).normal;
+  for (auto triangle : walls(mesh)) {
+    const Vec3 &p = mesh.points[triangle[0]], &q = mesh.points[triangle[1]], &r = mesh.points[triangle[2]];
+    const Vec3 own = (q - p).cross(r - p);
+    if (std::abs(normal.dot(p)) + normal.cross(own).norm() > 1e-12) continue;
+    if (own.dot(normal) < 0.0) std::swap(triangle[1], triangle[2]);
+    mesh.triangles.push_back(triangle);
+    mesh.triangle_on.push_back(face);
+  }
+}
+
+}  // namespace
 
 Part box_part(const Vec3& size, int nx, int ny, int nz, bool turned) {
   AnalyticOptions options;
@@ -95,6 +117,36 @@ Part spindle_part(int n) {
     part.mesh.tet_in.push_back(1);
   }
   classify_by_nearness(part.mesh, part.model);
+  return part;
+}
+
+Part cells_about_edge(const Cells& without) {
+  Part part{analytic_box({2, 2, 3}), {}};
+  Mesh all = lattice(2, 2, 3, [](const Vec3& p) -> Vec3 {
+    return p.cwiseProduct(Vec3(2.0, 2.0, 3.0)) - Vec3(1.0, 1.0, 0.0);
+  });
+  for (const auto& tet : all.tets) {
+    Vec3 centre = Vec3::Zero();
+    for (const Mesh::Index v : tet) centre += 0.25 * all.points[v];
+    const bool gone = std::any_of(without.begin(), without.end(), [&](const auto& cell) {
+      return std::abs(centre.z() - 1.5) < 0.5 && centre.x() * cell[0] > 0.0 && centre.y() * cell[1] > 0.0;
+    });
+    if (gone) continue;
+    part.mesh.tets.push_back(tet);
+    part.mesh.tet_in.push_back(1);
+  }
+  part.mesh.points = all.points;
+  part.mesh.point_on.assign(all.points.size(), model_region(1));
+  int edge = 1;
+  while (part.model.edge_closest(edge, {0, 0, 1.5}).distance > 1e-12) ++edge;
+  const auto number = [&](double z) {
+    return static_cast<Mesh::Index>(std::find(all.points.begin(), all.points.end(), Vec3(0, 0, z)) -
+                                    all.points.begin());
+  };
+  for (const double z : {1.0, 2.0}) part.mesh.point_on[number(z)] = model_edge(edge);
+  part.mesh.edges = {{number(1.0), number(2.0)}};
+  part.mesh.edge_on = {edge};
+  for (const Vec3& beside : {Vec3(0, 1, 1.5), Vec3(1, 0, 1.5)}) classify_walls_in_plane(part, beside);
   return part;
 }
 

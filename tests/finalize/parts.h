@@ -2,6 +2,9 @@
 // Analytic parts with lattice meshes of them.
 #pragma once
 
+#include <array>
+#include <vector>
+
 #include "finalize/workshop.h"
 #include "geom/analytic.h"
 #include "tests/finalize/builders.h"
@@ -25,6 +28,13 @@ struct Part {
 [[nodiscard]] Part cylinder_part(int n);
 /// n tetrahedra around the axis of the unit ball, n at least 3: two poles and a rim on the equator.
 [[nodiscard]] Part spindle_part(int n);
+
+/// Cells about the z axis, each by the signs of x and y.
+using Cells = std::vector<std::array<double, 2>>;
+/// 2 x 2 x 3 cells about the edge x = y = 0 of a box, without some in the middle layer: without two of them
+/// the rest touches itself along that edge from z = 1 to 2, and is one above and below. Only what meets this
+/// piece is classified.
+[[nodiscard]] Part cells_about_edge(const Cells& without);
 
 /// Options with a constant local size.
 [[nodiscard]] FinalizeOptions options_of_size(double size);

@@ -17,6 +17,7 @@
 
 #include "base/error.h"
 #include "compound_of.h"
+#include "tests/support/notes.h"
 
 namespace octet {
 namespace {
@@ -25,12 +26,6 @@ std::vector<TopoDS_Shape> parts_of(const TopoDS_Shape& shape, TopAbs_ShapeEnum t
   std::vector<TopoDS_Shape> parts;
   for (TopExp_Explorer it(shape, type); it.More(); it.Next()) parts.push_back(it.Current());
   return parts;
-}
-
-bool any_note(const Model& model, const std::string& words) {
-  for (const std::string& note : model.notes())
-    if (note.find(words) != std::string::npos) return true;
-  return false;
 }
 
 TEST(FromShape, NumbersFacesEdgesAndVerticesAsTheMapOfTheShape) {
@@ -73,7 +68,7 @@ TEST(FromShape, FusesSolidsThatTouch) {
   EXPECT_EQ(model.count(2), 12);  // the larger side is split in two, of which one is shared
   EXPECT_NEAR(model.region(1).volume, 1.0, 1e-9);
   EXPECT_NEAR(model.region(2).volume, 4.0, 1e-9);
-  EXPECT_TRUE(any_note(model, "fused"));
+  EXPECT_TRUE(test::has_note(model, "fused"));
 }
 
 /// Numbers as read of one dimension that kept their number.
@@ -117,7 +112,7 @@ TEST(FromShape, ReportsWhatTwoSolidsBothFill) {
   EXPECT_EQ(found[0].region, 3);
   EXPECT_EQ(found[0].solids, (std::vector<int>{1, 2}));
   EXPECT_NEAR(model.region(3).volume, 1.0, 1e-9);
-  EXPECT_TRUE(any_note(model, "Solid 1 and Solid 2 overlap"));
+  EXPECT_TRUE(test::has_note(model, "Solid 1 and Solid 2 overlap"));
 }
 
 TEST(FromShape, KeepsSolidsThatTouchApartWhenAsked) {
@@ -146,7 +141,7 @@ TEST(FromShape, MakesASolidOfAClosedShell) {
   const Model model = model_from_shape(shells.front());
   EXPECT_EQ(model.count(3), 1);
   EXPECT_NEAR(model.region(1).volume, 6.0, 1e-12);
-  EXPECT_TRUE(any_note(model, "closed shell"));
+  EXPECT_TRUE(test::has_note(model, "closed shell"));
 }
 
 TEST(FromShape, SewsLooseFacesThatFit) {
@@ -161,7 +156,7 @@ TEST(FromShape, SewsLooseFacesThatFit) {
   EXPECT_EQ(model.count(2), 6);
   EXPECT_EQ(model.count(1), 12);
   EXPECT_NEAR(model.region(1).volume, 6.0, 1e-9);
-  EXPECT_TRUE(any_note(model, "sewn"));
+  EXPECT_TRUE(test::has_note(model, "sewn"));
 }
 
 TEST(FromShape, NamesTheFreeEdgeOfAnOpenShell) {
@@ -181,7 +176,7 @@ TEST(FromShape, LeavesOutFacesBesideASolidWithANote) {
   const auto faces = parts_of(BRepPrimAPI_MakeBox(gp_Pnt(5, 0, 0), gp_Pnt(6, 1, 1)).Shape(), TopAbs_FACE);
   const Model model = model_from_shape(compound_of({BRepPrimAPI_MakeBox(1, 1, 1).Shape(), faces.front()}));
   EXPECT_EQ(model.count(2), 6);
-  EXPECT_TRUE(any_note(model, "left out"));
+  EXPECT_TRUE(test::has_note(model, "left out"));
   const auto& left_out = model.provenance().left_out;
   ASSERT_EQ(left_out.size(), 1u);
   EXPECT_EQ(left_out[0].entity, model_face(7));

@@ -25,6 +25,7 @@
 #include "geom/occt/from_shape.h"
 #include "geom/occt/sub_shapes.h"
 #include "tests/geom/occt/compound_of.h"
+#include "tests/support/notes.h"
 
 namespace octet::test {
 namespace {
@@ -46,12 +47,6 @@ TopoDS_Shape open_box(double x0, double x1) {
   builder.MakeSolid(solid);
   builder.Add(solid, shell);
   return solid;
-}
-
-bool has_note(const Model& model, const std::string& words) {
-  for (const std::string& note : model.notes())
-    if (note.find(words) != std::string::npos) return true;
-  return false;
 }
 
 void fuse(SolidSet& set, std::vector<KeptApart>& apart) {

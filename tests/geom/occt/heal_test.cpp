@@ -39,6 +39,7 @@
 #include "geom/model_check.h"
 #include "geom/occt/from_shape.h"
 #include "geom/occt/read_part.h"
+#include "tests/support/notes.h"
 #include "tests/support/with_void.h"
 
 namespace octet::test {
@@ -78,12 +79,6 @@ TopoDS_Shape exploded_box(double gap) {
     builder.Add(all, BRepBuilderAPI_Copy(faces[i]).Shape().Moved(away));
   }
   return all;
-}
-
-std::string note_with(const Model& model, const std::string& words) {
-  for (const std::string& note : model.notes())
-    if (note.find(words) != std::string::npos) return note;
-  return {};
 }
 
 /// A box 1 x 2 x 3 whose face y = 0 ends in an arc that bulges by `bulge` over the edge that the face z = 3

@@ -28,6 +28,7 @@
 #include "geom/occt/from_shape.h"
 #include "geom/occt/sub_shapes.h"
 #include "tests/support/hook.h"
+#include "tests/support/notes.h"
 
 namespace octet {
 namespace {
@@ -39,11 +40,6 @@ TopoDS_Shape turned(double tip, bool round) {
   return BRepPrimAPI_MakeRevol(test::hook(3.0, tip, round), gp_Ax1(gp_Pnt(0, 0, 0), gp::DZ())).Shape();
 }
 
-bool has_note(const Model& model, std::string_view words) {
-  return std::any_of(model.notes().begin(), model.notes().end(),
-                     [&](const std::string& note) { return note.find(words) != std::string::npos; });
-}
-
 /// Real edges with more uses by faces than two.
 int pinched_edges(const Model& model) {
   int count = 0;
@@ -53,7 +49,7 @@ int pinched_edges(const Model& model) {
 
 TEST(Imprint, ARoundTipThatTouchesAWallAlongALine) {
   const Model model = model_from_shape(prism(1.5));
-  EXPECT_TRUE(has_note(model, "1 pair(s) were imprinted")) << "one cylinder, one plane";
+  EXPECT_TRUE(test::has_note(model, "1 pair(s) were imprinted")) << "one cylinder, one plane";
   EXPECT_TRUE(touching_faces(model, kTouchShare * model.diagonal()).empty())
       << "they have the line in common now";
   EXPECT_EQ(pinched_edges(model), 1);
@@ -65,14 +61,14 @@ TEST(Imprint, ARoundTipThatTouchesAWallAlongALine) {
 TEST(Imprint, ATipBesideTheWallStaysAsItIs) {
   for (const double gap : {1e-4, 0.05}) {
     const Model model = model_from_shape(prism(1.5 + gap));
-    EXPECT_FALSE(has_note(model, "touch")) << gap;
+    EXPECT_FALSE(test::has_note(model, "touch")) << gap;
     EXPECT_EQ(pinched_edges(model), 0);
   }
 }
 
 TEST(Imprint, ATorusThatTouchesACylinderAlongACircle) {
   const Model model = model_from_shape(turned(1.5, true));
-  EXPECT_TRUE(has_note(model, "were imprinted on each other"));
+  EXPECT_TRUE(test::has_note(model, "were imprinted on each other"));
   EXPECT_TRUE(touching_faces(model, kTouchShare * model.diagonal()).empty());
   EXPECT_GE(pinched_edges(model), 1);
   EXPECT_TRUE(check_model(model).empty());
@@ -80,7 +76,7 @@ TEST(Imprint, ATorusThatTouchesACylinderAlongACircle) {
 
 TEST(Imprint, FacesThatLieOnOneAnotherAreTakenAway) {
   const Model model = model_from_shape(turned(1.5, false));
-  EXPECT_TRUE(has_note(model, "lay on one another"));
+  EXPECT_TRUE(test::has_note(model, "lay on one another"));
   EXPECT_TRUE(touching_faces(model, kTouchShare * model.diagonal()).empty());
   EXPECT_EQ(pinched_edges(model), 0) << "the finger and the wall are one body there";
   EXPECT_TRUE(check_model(model).empty());
@@ -127,13 +123,13 @@ TopoDS_Shape peg_in_a_corner(double gap) {
 TEST(Imprint, APegAlongAWallThatHasAVertexOfItsFoot) {
   const TopoDS_Shape shape = peg_in_a_corner(0.0);
   const Model model = model_from_shape(shape);
-  EXPECT_TRUE(has_note(model, "2 pair(s) were imprinted")) << "the peg's side, and its top at a point";
+  EXPECT_TRUE(test::has_note(model, "2 pair(s) were imprinted")) << "the peg's side, and its top at a point";
   EXPECT_TRUE(touching_faces(model, kTouchShare * model.diagonal()).empty());
   EXPECT_EQ(model.count(1), sub_shapes(shape, TopAbs_EDGE).Extent() + 2)
       << "the line up the wall, and the top's circle in two";
   EXPECT_NEAR(model.region(1).volume, 16.0 + 16.0 + 2.0 * std::numbers::pi, 1e-9);
   const Model clear = model_from_shape(peg_in_a_corner(1e-3));
-  EXPECT_FALSE(has_note(clear, "touch"));
+  EXPECT_FALSE(test::has_note(clear, "touch"));
 }
 
 TEST(Imprint, NumbersOfOtherFacesStay) {

@@ -15,6 +15,7 @@
 
 #include "geom/model_check.h"
 #include "geom/occt/from_shape.h"
+#include "tests/support/notes.h"
 
 namespace octet {
 namespace {
@@ -34,16 +35,13 @@ TopoDS_Shape pocket_beside_an_edge(double gap, double tolerance) {
   return shape;
 }
 
-bool has_note(const Model& model) {
-  for (const std::string& note : model.notes())
-    if (note.find("are touched by a vertex of their face and were split there") != std::string::npos)
-      return true;
-  return false;
+bool was_split(const Model& model) {
+  return test::has_note(model, "are touched by a vertex of their face and were split there");
 }
 
 TEST(TouchedEdges, AreSplitAtTheVertex) {
   const Model model = model_from_shape(pocket_beside_an_edge(2e-4, 1e-3));
-  EXPECT_TRUE(has_note(model));
+  EXPECT_TRUE(was_split(model));
   EXPECT_EQ(model.count(2), 7);
   EXPECT_EQ(model.count(1) - model.count(0), model_from_shape(pocket_beside_an_edge(0.5, 1e-3)).count(1) -
                                                  model_from_shape(pocket_beside_an_edge(0.5, 1e-3)).count(0) +
@@ -61,7 +59,7 @@ TEST(TouchedEdges, AreSplitAtTheVertex) {
 }
 
 TEST(TouchedEdges, BesideAVertexStayWhole) {
-  EXPECT_FALSE(has_note(model_from_shape(pocket_beside_an_edge(2e-3, 1e-3))));
+  EXPECT_FALSE(was_split(model_from_shape(pocket_beside_an_edge(2e-3, 1e-3))));
 }
 
 }  // namespace

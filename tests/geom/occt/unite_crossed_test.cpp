@@ -19,18 +19,14 @@
 #include "geom/occt/from_shape.h"
 #include "geom/occt/reader.h"
 #include "tests/support/crossed.h"
+#include "tests/support/notes.h"
 #include "tests/support/with_void.h"
 
 namespace octet {
 namespace {
 
 using test::box_between;
-
-std::string note_with(const Model& model, std::string_view words) {
-  for (const std::string& note : model.notes())
-    if (note.find(words) != std::string::npos) return note;
-  return {};
-}
+using test::note_with;
 
 double volume_of(const Model& model) {
   double sum = 0.0;
