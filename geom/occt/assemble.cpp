@@ -8,6 +8,7 @@
 #include <array>
 #include <mutex>
 
+#include "geom/occt/common_faces.h"
 #include "geom/occt/heal.h"
 #include "geom/occt/join_solids.h"
 #include "geom/occt/marks.h"
@@ -129,6 +130,10 @@ AssembledPart assemble(const CadDocument& document, const ReadOptions& options, 
   log("collecting the solids");
   SolidSet healed = collect_solids(document.shape, as_read, options.sew_tolerance);
   heal(as_read, {options.sew_tolerance, options.smallest_feature}, meeting, log, healed);
+  if (options.fuse && healed.solids.size() > 1) {
+    log("looking for faces that solids have alike");
+    join_common_faces(healed);
+  }
   JoinedSolids joined = join_solids(as_read, healed, options, log);
   ModelParts& parts = joined.part.parts;
   parts.unit = document.unit;

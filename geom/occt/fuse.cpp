@@ -10,25 +10,20 @@
 #include <TopTools_ListOfShape.hxx>
 #include <TopTools_MapOfShape.hxx>
 #include <algorithm>
-#include <array>
 #include <map>
 #include <memory>
 #include <numeric>
-#include <tuple>
 
-#include "geom/occt/contact_circle.h"
 #include "geom/occt/edge_uses.h"
+#include "geom/occt/fuse_attempts.h"
 #include "geom/occt/group_fuse.h"
 #include "geom/occt/shape_box.h"
+#include "geom/occt/sub_shapes.h"
 #include "geom/tiny_features.h"
 
 namespace octet {
 namespace {
 
-/// Tolerances of a fuse, as shares of its solids' diagonal: none, then up to the noise of files.
-constexpr std::array<double, 4> kTolerances{0.0, 1e-8, 1e-7, 1e-6};
-/// No tolerance is more than this share of the smallest solid's diagonal.
-constexpr double kLargestTolerance = 1e-5;
 using Group = std::vector<std::size_t>;  ///< indices of solids, ascending
 
 /// Groups of at least two solids that hang together by boxes that meet, or are parted by noise.
@@ -58,44 +53,10 @@ std::vector<Group> touching_groups(const std::vector<TopoDS_Shape>& solids, cons
   return groups;
 }
 
-double diagonal_of_all(const std::vector<TopoDS_Shape>& solids) {
-  Bnd_Box all;
-  for (const TopoDS_Shape& solid : solids) all.Add(box_of(solid));
-  return diagonal_of(all);
-}
-
-/// Without conflicts, thin pieces and gaps if any tolerance gives that; else that with the fewest. Circles
-/// of contact are left away where the fuse gets worse by them.
-std::unique_ptr<GroupFuse> best_fuse(const std::vector<TopoDS_Shape>& solids) {
-  const double diagonal = diagonal_of_all(solids);
-  double smallest = diagonal;
-  for (const TopoDS_Shape& solid : solids) smallest = std::min(smallest, diagonal_of(box_of(solid)));
-  const std::vector<TopoDS_Edge> contacts = contacts_of(solids, kContactShare * diagonal);
-  const auto badness = [](const GroupFuse& fuse) {
-    return std::make_tuple(fuse.failed(), fuse.conflicts().size(), fuse.thin_pieces() + fuse.near().count);
-  };
-  const double largest = kLargestTolerance * smallest;
-  std::unique_ptr<GroupFuse> best;
-  const auto attempt = [&](const std::vector<TopoDS_Edge>& with, double tolerance) {
-    auto fuse = std::make_unique<GroupFuse>(solids, with, tolerance, kRoundingShare * diagonal);
-    const bool sound = fuse->sound();
-    if (!best || badness(*fuse) < badness(*best)) best = std::move(fuse);
-    return sound;
-  };
-  double last = -1.0;
-  for (const double share : kTolerances) {
-    const double tolerance = std::min(share * diagonal, largest);
-    if (tolerance <= last) break;
-    last = tolerance;
-    if (best && best->sound() && best->thin_pieces() == 0 && tolerance < best->near().narrowest) continue;
-    if (!attempt(contacts, tolerance) && !contacts.empty()) attempt({}, tolerance);
-    if (best->sound() && best->thin_pieces() == 0 && best->near().count == 0) break;
-  }
-  return best;
-}
-
-/// The fewest solids without which no conflict is left, taken greedily; a conflict each that tells why.
-std::map<std::size_t, FuseConflict> culprits(std::vector<FuseConflict> conflicts) {
+/// The fewest solids without which no conflict is left, taken greedily, of a tie the smaller; a conflict each
+/// that tells why.
+std::map<std::size_t, FuseConflict> culprits(std::vector<FuseConflict> conflicts,
+                                             const std::vector<double>& sizes) {
   std::map<std::size_t, FuseConflict> found;
   while (!conflicts.empty()) {
     std::map<std::size_t, std::size_t> blame;
@@ -105,7 +66,9 @@ std::map<std::size_t, FuseConflict> culprits(std::vector<FuseConflict> conflicts
     }
     auto worst = blame.begin();
     for (auto it = blame.begin(); it != blame.end(); ++it)
-      if (it->second >= worst->second) worst = it;
+      if (it->second > worst->second ||
+          (it->second == worst->second && sizes[it->first] <= sizes[worst->first]))
+        worst = it;
     const std::size_t solid = worst->first;
     const auto is_of = [&](const FuseConflict& c) { return c.solids[0] == solid || c.solids[1] == solid; };
     found[solid] = *std::find_if(conflicts.begin(), conflicts.end(), is_of);
@@ -138,8 +101,7 @@ class Fuser {
   void run() {
     keep_open_ones_apart();
     for (const Group& group : touching_groups(set_.solids, is_apart_)) fuse(group);
-    for (std::size_t i = 0; i < images_.size(); ++i)
-      if (is_apart_[i]) images_[i] = {own_copy(set_.solids[i])};
+    copy_those_apart();
     collect();
   }
 
@@ -190,7 +152,9 @@ class Fuser {
   }
 
   void leave_apart(const GroupFuse& fuse, Group& group) {
-    std::map<std::size_t, FuseConflict> guilty = culprits(fuse.conflicts());
+    std::vector<double> sizes;
+    for (const std::size_t i : group) sizes.push_back(diagonal_of(box_of(set_.solids[i])));
+    std::map<std::size_t, FuseConflict> guilty = culprits(fuse.conflicts(), sizes);
     if (fuse.failed())
       for (std::size_t i = 0; i < group.size(); ++i)
         guilty[i] = {{i, i}, middle_of(set_.solids[group[i]]), "the general fuse failed"};
@@ -202,13 +166,26 @@ class Fuser {
     std::erase_if(group, [&](std::size_t i) { return is_apart_[i]; });
   }
 
-  /// The solid with faces, edges and vertices that it shares with no other.
-  TopoDS_Shape own_copy(const TopoDS_Shape& solid) {
+  /// They get faces, edges and vertices that they share with no other; what others share with them stays the
+  /// others', too.
+  void copy_those_apart() {
+    TopTools_IndexedMapOfShape of_others;
+    for (std::size_t i = 0; i < images_.size(); ++i)
+      if (!is_apart_[i]) TopExp::MapShapes(set_.solids[i], of_others);
+    for (std::size_t i = 0; i < images_.size(); ++i)
+      if (is_apart_[i]) images_[i] = {own_copy(set_.solids[i], of_others)};
+  }
+
+  TopoDS_Shape own_copy(const TopoDS_Shape& solid, const TopTools_IndexedMapOfShape& of_others) {
     BRepBuilderAPI_Copy copy(solid, false, false);
     for (const TopAbs_ShapeEnum type : {TopAbs_SOLID, TopAbs_FACE, TopAbs_EDGE, TopAbs_VERTEX}) {
-      TopTools_IndexedMapOfShape map;
-      TopExp::MapShapes(solid, type, map);
-      for (int i = 1; i <= map.Extent(); ++i) set_.history->AddModified(map(i), copy.ModifiedShape(map(i)));
+      const TopTools_IndexedMapOfShape map = sub_shapes(solid, type);
+      for (int i = 1; i <= map.Extent(); ++i) {
+        const bool stays = of_others.Contains(map(i)) && !set_.history->IsRemoved(map(i)) &&
+                           set_.history->Modified(map(i)).IsEmpty();
+        if (stays) set_.history->AddModified(map(i), map(i));
+        set_.history->AddModified(map(i), copy.ModifiedShape(map(i)));
+      }
     }
     return copy.Shape();
   }
@@ -223,9 +200,9 @@ class Fuser {
       set_.notes.push_back(fmt::format("solids interfere: {} solids became {} when they were fused",
                                        set_.solids.size(), solids.size()));
     if (changed_)
-      set_.notes.push_back(fmt::format(
-          "solids that touch were fused: {} face(s) are shared by two solids, {} were so in the file",
-          shared_faces(solids), shared_faces(set_.solids)));
+      set_.notes.push_back(
+          fmt::format("solids that touch were fused: {} face(s) are shared by two solids, {} were so before",
+                      shared_faces(solids), shared_faces(set_.solids)));
     set_.solids = std::move(solids);
   }
 

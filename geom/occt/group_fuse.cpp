@@ -25,6 +25,9 @@
 
 #include "geom/occt/contact_circle.h"
 #include "geom/occt/edge_uses.h"
+#include "geom/occt/face_pieces.h"
+#include "geom/occt/half_cuts.h"
+#include "geom/occt/loose_parts.h"
 #include "geom/occt/shape_box.h"
 #include "geom/occt/shape_volume.h"
 
@@ -164,10 +167,14 @@ GroupFuse::GroupFuse(const std::vector<TopoDS_Shape>& solids, const std::vector<
   if (failed_) return;
   history_ = builder_.History();
   for (const TopoDS_Shape& solid : solids) images_.push_back(images_of(solid));
+  drop_loose_parts(solids, images_, history_);
   find_conflicts(solids);
   count_thin_pieces(thin);
   find_near_faces(thin);
   find_pieces(solids);
+  judge_face_pieces(solids, thin);
+  for (const HalfCut& cut : half_cuts(images_))
+    conflicts_.push_back({cut.solids, cut.place, "they overlap, and their faces are cut in part only"});
 }
 
 std::vector<std::string> GroupFuse::warnings() const {
@@ -250,6 +257,16 @@ void GroupFuse::find_pieces(const std::vector<TopoDS_Shape>& solids) {
     FuseConflict conflict{of, middle_of(edge), "they touch along a line that is found in pieces"};
     if (shared[of[0]] != shared[of[1]]) conflict.solids.fill(shared[of[0]] < shared[of[1]] ? of[0] : of[1]);
     conflicts_.push_back(conflict);
+  }
+}
+
+void GroupFuse::judge_face_pieces(const std::vector<TopoDS_Shape>& solids, double thin) {
+  for (std::size_t i = 0; i < solids.size(); ++i) {
+    const std::vector<FacePiece> pieces = face_pieces(solids[i], *history_);
+    slivers_ += count_slivers(pieces, thin);
+    if (images_[i].empty()) continue;
+    if (const TopoDS_Face lost = lost_piece(pieces, images_[i]); !lost.IsNull())
+      conflicts_.push_back({{i, i}, middle_of(lost), "a part of it would be lost"});
   }
 }
 

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/vec.h"
@@ -31,17 +32,22 @@ struct FuseConflict {
 class GroupFuse {
  public:
   /// `contacts` take part in the fuse. `thin`: what two solids fill together, what one of them fills
-  /// beside that, or what parts their faces, is noise when it is thinner than this.
+  /// beside that, what is cut off a face, or what parts their faces, is noise when it is thinner than this.
   GroupFuse(const std::vector<TopoDS_Shape>& solids, const std::vector<TopoDS_Edge>& contacts,
             double tolerance, double thin);
 
   [[nodiscard]] bool failed() const { return failed_; }
   [[nodiscard]] bool sound() const { return !failed_ && conflicts_.empty(); }
-  /// Solids left open or without anything, two on one side of a face, faces of others inside of one, pieces
-  /// of a line along which two touch.
+  /// Solids left open, without anything or without a piece of their boundary, two on one side of a face,
+  /// faces of others inside of one, pieces of a line along which two touch, faces that another solid cuts in
+  /// part only.
   [[nodiscard]] const std::vector<FuseConflict>& conflicts() const { return conflicts_; }
+  /// Takes these for the conflicts: of solids that are at odds by themselves, too.
+  void blame(std::vector<FuseConflict> conflicts) { conflicts_ = std::move(conflicts); }
   /// Thin overlaps, and thin parts of solids that overlap others with the rest.
   [[nodiscard]] int thin_pieces() const { return thin_pieces_; }
+  /// Thin pieces of faces that are not thin.
+  [[nodiscard]] int slivers() const { return slivers_; }
   /// Faces of two solids, shared by neither, that lie on one another but for noise.
   [[nodiscard]] const NearFaces& near() const { return near_; }
   [[nodiscard]] double tolerance() const { return tolerance_; }
@@ -58,6 +64,7 @@ class GroupFuse {
   void count_thin_pieces(double thin);
   void find_near_faces(double thin);
   void find_pieces(const std::vector<TopoDS_Shape>& solids);
+  void judge_face_pieces(const std::vector<TopoDS_Shape>& solids, double thin);
 
   double tolerance_;
   BOPAlgo_Builder builder_;
@@ -65,7 +72,7 @@ class GroupFuse {
   Handle(BRepTools_History) history_;
   std::vector<std::vector<TopoDS_Shape>> images_;
   std::vector<FuseConflict> conflicts_;
-  int thin_pieces_ = 0;
+  int thin_pieces_ = 0, slivers_ = 0;
   NearFaces near_;
 };
 

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The fuse's history, face by face.
+#include "geom/occt/face_pieces.h"
+
+#include <BRepGProp.hxx>
+#include <GProp_GProps.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopTools_ListOfShape.hxx>
+#include <TopoDS.hxx>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace octet {
+namespace {
+
+double width_of(const TopoDS_Face& face) {
+  GProp_GProps area, perimeter;
+  BRepGProp::SurfaceProperties(face, area);
+  BRepGProp::LinearProperties(face, perimeter);
+  return 2.0 * area.Mass() / perimeter.Mass();
+}
+
+}  // namespace
+
+std::vector<FacePiece> face_pieces(const TopoDS_Shape& solid, const BRepTools_History& history) {
+  std::vector<FacePiece> pieces;
+  TopTools_IndexedMapOfShape known;
+  for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next()) {
+    const TopoDS_Face face = TopoDS::Face(it.Current());
+    const bool bounds = face.Orientation() == TopAbs_FORWARD || face.Orientation() == TopAbs_REVERSED;
+    if (!bounds || history.IsRemoved(face)) continue;
+    TopTools_ListOfShape now = history.Modified(face);
+    if (now.IsEmpty()) now.Append(face);
+    for (const TopoDS_Shape& piece : now) {
+      const auto index = static_cast<std::size_t>(known.Add(piece));
+      if (index > pieces.size())
+        pieces.push_back({TopoDS::Face(piece), face, false});
+      else
+        pieces[index - 1].is_several = true;
+    }
+  }
+  return pieces;
+}
+
+TopoDS_Face lost_piece(const std::vector<FacePiece>& pieces, const std::vector<TopoDS_Shape>& images) {
+  TopTools_IndexedMapOfShape kept;
+  for (const TopoDS_Shape& image : images) TopExp::MapShapes(image, TopAbs_FACE, kept);
+  for (const FacePiece& piece : pieces)
+    if (!piece.is_several && !kept.Contains(piece.piece)) return piece.piece;
+  return {};
+}
+
+int count_slivers(const std::vector<FacePiece>& pieces, double width) {
+  return static_cast<int>(std::count_if(pieces.begin(), pieces.end(), [&](const FacePiece& piece) {
+    return !piece.piece.IsSame(piece.of) && width_of(piece.piece) < width && width_of(piece.of) >= width;
+  }));
+}
+
+}  // namespace octet

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Fuses of one group of solids with one tolerance after the other.
+#include "geom/occt/fuse_attempts.h"
+
+#include <Bnd_Box.hxx>
+#include <TopoDS_Edge.hxx>
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <set>
+#include <tuple>
+
+#include "geom/occt/contact_circle.h"
+#include "geom/occt/shape_box.h"
+#include "geom/tiny_features.h"
+
+namespace octet {
+namespace {
+
+/// Tolerances of a fuse, as shares of its solids' diagonal: none, then up to the noise of files.
+constexpr std::array<double, 4> kTolerances{0.0, 1e-8, 1e-7, 1e-6};
+/// No tolerance is more than this share of the smallest solid's diagonal.
+constexpr double kLargestTolerance = 1e-5;
+/// Of a part with more pairs at odds than this no pair is fused by itself.
+constexpr std::size_t kMostPairs = 40;
+
+double diagonal_of_all(const std::vector<TopoDS_Shape>& solids) {
+  Bnd_Box all;
+  for (const TopoDS_Shape& solid : solids) all.Add(box_of(solid));
+  return diagonal_of(all);
+}
+
+using Pair = std::array<std::size_t, 2>;
+
+/// The pairs that conflicts name; where none does, each solid that is to blame alone, with those it may
+/// touch.
+std::set<Pair> blamed_pairs(const std::vector<TopoDS_Shape>& solids,
+                            const std::vector<FuseConflict>& conflicts) {
+  std::set<Pair> pairs;
+  for (const FuseConflict& conflict : conflicts) {
+    const auto [low, high] = std::minmax(conflict.solids[0], conflict.solids[1]);
+    if (low != high) pairs.insert({low, high});
+  }
+  if (!pairs.empty()) return pairs;
+  for (const FuseConflict& conflict : conflicts)
+    for (std::size_t j = 0; j < solids.size(); ++j) {
+      const std::size_t i = conflict.solids[0];
+      if (i != j && !box_of(solids[i]).IsOut(box_of(solids[j])))
+        pairs.insert({std::min(i, j), std::max(i, j)});
+    }
+  return pairs;
+}
+
+/// Conflicts of pairs that no tolerance joins, though they are fused by themselves.
+std::vector<FuseConflict> pairs_at_odds(const std::vector<TopoDS_Shape>& solids,
+                                        const std::vector<FuseConflict>& conflicts) {
+  const std::set<Pair> pairs = blamed_pairs(solids, conflicts);
+  std::vector<FuseConflict> found;
+  if (pairs.size() > kMostPairs) return found;
+  for (const Pair& pair : pairs) {
+    const auto fuse = best_fuse({solids[pair[0]], solids[pair[1]]});
+    for (FuseConflict conflict : fuse->conflicts()) {
+      for (std::size_t& solid : conflict.solids) solid = pair[solid];
+      found.push_back(conflict);
+    }
+  }
+  return found;
+}
+
+class Attempts {
+ public:
+  explicit Attempts(const std::vector<TopoDS_Shape>& solids)
+      : solids_(solids),
+        diagonal_(diagonal_of_all(solids)),
+        contacts_(contacts_of(solids, kContactShare * diagonal_)) {}
+
+  std::unique_ptr<GroupFuse> run() {
+    double smallest = diagonal_;
+    for (const TopoDS_Shape& solid : solids_) smallest = std::min(smallest, diagonal_of(box_of(solid)));
+    double last = -1.0;
+    for (const double share : kTolerances) {
+      const double tolerance = std::min(share * diagonal_, kLargestTolerance * smallest);
+      if (tolerance <= last) break;
+      last = tolerance;
+      if (best_ && is_clean_but_for_gaps() && tolerance < best_->near().narrowest) continue;
+      if (!attempt(contacts_, tolerance) && !contacts_.empty()) attempt({}, tolerance);
+      if (is_clean_but_for_gaps() && best_->near().count == 0) break;
+      if (share == 0.0 && is_hopeless()) break;
+    }
+    return std::move(best_);
+  }
+
+ private:
+  [[nodiscard]] bool is_clean_but_for_gaps() const {
+    return best_->sound() && best_->thin_pieces() + best_->slivers() == 0;
+  }
+
+  /// Whether some of the solids cannot be joined by themselves; then they are what is told of the group.
+  bool is_hopeless() {
+    if (best_->sound() || best_->failed() || solids_.size() < 3) return false;
+    std::vector<FuseConflict> odds = pairs_at_odds(solids_, best_->conflicts());
+    if (odds.empty()) return false;
+    best_->blame(std::move(odds));
+    return true;
+  }
+
+  bool attempt(const std::vector<TopoDS_Edge>& contacts, double tolerance) {
+    auto fuse = std::make_unique<GroupFuse>(solids_, contacts, tolerance, kRoundingShare * diagonal_);
+    const bool sound = fuse->sound();
+    const auto badness = [](const GroupFuse& of) {
+      return std::make_tuple(of.failed(), of.conflicts().size(), of.thin_pieces() + of.near().count,
+                             of.slivers());
+    };
+    if (!best_ || badness(*fuse) < badness(*best_)) best_ = std::move(fuse);
+    return sound;
+  }
+
+  const std::vector<TopoDS_Shape>& solids_;
+  double diagonal_;
+  std::vector<TopoDS_Edge> contacts_;
+  std::unique_ptr<GroupFuse> best_;
+};
+
+}  // namespace
+
+std::unique_ptr<GroupFuse> best_fuse(const std::vector<TopoDS_Shape>& solids) {
+  return Attempts(solids).run();
+}
+
+}  // namespace octet

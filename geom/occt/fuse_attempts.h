@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Fuses of one group of solids with one tolerance after the other.
+#pragma once
+
+#include <TopoDS_Shape.hxx>
+#include <memory>
+#include <vector>
+
+#include "geom/occt/group_fuse.h"
+
+namespace octet {
+
+/// The first fuse, by ascending tolerance, without conflicts, thin pieces, gaps and slivers; where none is,
+/// that with the fewest. Circles of contact are left away where the fuse gets worse by them. Of more than two
+/// solids whose first fuse has conflicts, those at odds are fused by themselves, two at a time, which costs
+/// less than the whole group: where no tolerance joins the two, none is tried on the group.
+[[nodiscard]] std::unique_ptr<GroupFuse> best_fuse(const std::vector<TopoDS_Shape>& solids);
+
+}  // namespace octet
