@@ -51,7 +51,7 @@ std::set<Pair> blamed_pairs(const std::vector<TopoDS_Shape>& solids,
   return pairs;
 }
 
-/// Conflicts of pairs that no tolerance joins, though they are fused by themselves.
+/// Pairs that no tolerance joins, though they are fused by themselves: without either nothing is wrong there.
 std::vector<FuseConflict> pairs_at_odds(const std::vector<TopoDS_Shape>& solids,
                                         const std::vector<FuseConflict>& conflicts) {
   const std::set<Pair> pairs = blamed_pairs(solids, conflicts);
@@ -59,10 +59,10 @@ std::vector<FuseConflict> pairs_at_odds(const std::vector<TopoDS_Shape>& solids,
   if (pairs.size() > kMostPairs) return found;
   for (const Pair& pair : pairs) {
     const auto fuse = best_fuse({solids[pair[0]], solids[pair[1]]});
-    for (FuseConflict conflict : fuse->conflicts()) {
-      for (std::size_t& solid : conflict.solids) solid = pair[solid];
-      found.push_back(conflict);
-    }
+    if (fuse->failed())
+      found.push_back({pair, middle_of(solids[pair[0]]), "the general fuse failed"});
+    else if (!fuse->sound())
+      found.push_back({pair, fuse->conflicts().front().place, fuse->conflicts().front().cause});
   }
   return found;
 }

@@ -190,6 +190,26 @@ TEST(Fuse, SolidsThatTouchAlongALineShareNoPiecesOfIt) {
   EXPECT_GT(kept, 0);
 }
 
+TEST(Fuse, AThirdSolidIsJoinedWhereTwoAreAtOdds) {
+  const gp_Pnt hub = kGroove.Location();
+  const TopoDS_Shape block =
+      BRepPrimAPI_MakeBox(hub.Translated(gp_Vec(-3, 3, -3)), hub.Translated(gp_Vec(3, 5, 3))).Shape();
+  const TopoDS_Shape ring = BRepBuilderAPI_NurbsConvert(grooved_ring()).Shape();
+  int kept = 0;
+  for (int i = 0; i < 6; ++i) {
+    SolidSet set = set_of({block, ring, ball_in_groove(0.5 + i)});
+    std::vector<KeptApart> apart;
+    fuse(set, apart);
+    ASSERT_LE(apart.size(), 1u) << i;
+    if (apart.empty()) continue;
+    ++kept;
+    EXPECT_EQ(apart[0].solid, 2u) << "the smaller one";
+    EXPECT_EQ(apart[0].other, 1u) << i;
+    EXPECT_GE(shared_edges(set.solids[0], set.solids[1]), 4) << i;
+  }
+  EXPECT_GT(kept, 0);
+}
+
 TEST(Fuse, AClosedEdgeWithAVertexToItselfIsNoPieceOfALine) {
   // The cap that they share ends at a circle that the ball's seam does not cross.
   const gp_Ax2 seam_away(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1), gp_Dir(-1, 0, 0));
