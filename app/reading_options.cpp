@@ -15,6 +15,9 @@ void add_reading_options(CLI::App& command, ReadOptions& reading) {
           "up to 1e-4 of their diagonal)")
       ->type_name("DISTANCE")
       ->check(CLI::PositiveNumber);
+  command.add_flag("--cap", reading.cap,
+                   "Close openings of shells and open solids that lie in a plane by a plane face each, and "
+                   "list them (default: such parts are refused)");
   command
       .add_option(
           "--defeature", reading.smallest_feature,

@@ -79,7 +79,7 @@ bool is_open_part(const TopoDS_Shape& part, const ShapeMaps& as_read, const Prov
 
 /// Parts of the tree with shells of which nothing is in the model.
 void tell_open_parts(const CadDocument& document, const ShapeMaps& as_read, const SolidSet& healed,
-                     double sewn, ModelParts& parts) {
+                     const SewOptions& sewing, ModelParts& parts) {
   const std::vector<PartNode>& tree = parts.provenance.tree;
   std::vector<bool> is_leaf(tree.size(), true);
   for (const PartNode& node : tree)
@@ -87,7 +87,7 @@ void tell_open_parts(const CadDocument& document, const ShapeMaps& as_read, cons
   for (std::size_t i = 0; i < tree.size(); ++i) {
     if (!is_leaf[i] || !tree[i].solids.empty() || !tree[i].regions.empty()) continue;
     if (!is_open_part(document.tree[i].shape, as_read, parts.provenance)) continue;
-    Fault fault = opening_of(document.tree[i].shape, as_read, healed, sewn);
+    Fault fault = opening_of(document.tree[i].shape, as_read, healed, sewing);
     const std::string name = tree[i].name.empty() ? "a part without a name" : '"' + tree[i].name + '"';
     fault.entity = {};
     fault.cause = name + " is left out: it bounds no volume: " + fault.cause;
@@ -128,8 +128,9 @@ AssembledPart assemble(const CadDocument& document, const ReadOptions& options, 
                        const StageLog& log) {
   const ShapeMaps as_read(document.shape);
   log("collecting the solids");
-  SolidSet healed = collect_solids(document.shape, as_read, options.sew_tolerance);
-  heal(as_read, {options.sew_tolerance, options.smallest_feature}, meeting, log, healed);
+  const SewOptions sewing{options.sew_tolerance, options.cap};
+  SolidSet healed = collect_solids(document.shape, as_read, sewing);
+  heal(as_read, {sewing, options.smallest_feature}, meeting, log, healed);
   if (options.fuse && healed.solids.size() > 1) {
     log("looking for faces that solids have alike");
     join_common_faces(healed);
@@ -141,7 +142,7 @@ AssembledPart assemble(const CadDocument& document, const ReadOptions& options, 
   parts.apart = !joined.apart.empty() || (!options.fuse && parts.regions.size() > 2);
   mark_entities(document, as_read, joined.part.numbering, parts);
   tell_faults(joined, as_read, healed, parts);
-  tell_open_parts(document, as_read, healed, options.sew_tolerance, parts);
+  tell_open_parts(document, as_read, healed, sewing, parts);
   note_overlaps(parts);
   note_left_out(parts);
   return std::move(joined.part);

@@ -105,12 +105,13 @@ class Healer {
     if (wrong == 0) return;
     std::vector<TopoDS_Shape> faces;
     for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next()) faces.push_back(it.Current());
-    const Sewn sewn = sew_faces(faces, options_.sew_tolerance);
+    const Sewn sewn = sew_faces(faces, options_.sewing);
     if (sewn.solids.size() != 1 || sewn.free_edges > 0) return;
     set_.notes.push_back(
         fmt::format("{} was open at {} and was closed by sewing its faces with tolerance {:.3g} mm",
                     names_.solid(solid), names_.numbered("Edge", 1, uses.edges(wrong)), sewn.tolerance));
     set_.history->Merge(sewn.history);
+    add_caps(sewn.caps, as_read_, set_);
     replace(solid, sewn.solids.front());
   }
 

@@ -11,7 +11,7 @@
 namespace octet {
 
 struct HealOptions {
-  double sew_tolerance = 0.0;     ///< mm; 0: growing ones
+  SewOptions sewing;
   double smallest_feature = 0.0;  ///< mm; at least kRoundingShare of the solid's diagonal
 };
 
@@ -19,7 +19,7 @@ struct HealOptions {
 /// entity, numbered as read:
 ///  1. edges without a curve in space, and edges without a curve on a face, get one;
 ///  2. a solid whose faces are not turned alike: they are turned as their neighbours;
-///  3. an open solid: its faces are sewn, with the tolerance (0: growing ones), where that closes it;
+///  3. an open solid: its faces are sewn, and capped where that is asked for, where that closes it;
 ///  4. faces no wider than the tolerance or the gaps of their sides or the smallest feature become edges,
 ///     rings no wider than that edges, edges no longer than that vertices; edges that a vertex of their face
 ///     lies on are split, and sides that cross within their tolerance, spikes and slits of loops no wider

@@ -86,7 +86,7 @@ class Joiner {
       log_(fmt::format("fusing {} solid(s) that may touch", healed_.solids.size()));
       fuse_touching(joined_, apart_, fuses_);
     }
-    SolidSet all{joined_.solids, new BRepTools_History(), healed_.notes};
+    SolidSet all{joined_.solids, new BRepTools_History(), healed_.notes, healed_.caps};
     all.history->Merge(healed_.history);
     all.history->Merge(joined_.history);
     all.notes.insert(all.notes.end(), joined_.notes.begin(), joined_.notes.end());

@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "geom/occt/caps.h"
 #include "geom/occt/left_out.h"
 
 namespace octet {
@@ -86,10 +87,14 @@ void apply(const MarksAsRead& as_read, const Numbering& numbering, ModelParts& p
     parts.faces[i].layer = marks[2][i].layer;
   }
   for (std::size_t i = 1; i < parts.regions.size(); ++i) set_marks(marks[3][i], parts.regions[i]);
+  for (std::size_t cap = 0; cap < numbering.caps.size(); ++cap)
+    for (const int tag : numbering.caps[cap])
+      if (std::string& name = parts.faces[static_cast<std::size_t>(tag)].name; name.empty())
+        name = cap_name(cap + 1);
 }
 
 /// The regions that no solid as read became, closed shells of the file or sewn ones, each with the numbers as
-/// read of its faces.
+/// read of its faces. Faces that are new have none and do not count.
 using ShellRegions = std::map<int, std::vector<std::vector<int>>>;
 
 ShellRegions shell_regions(const Numbering& numbering, const ModelParts& parts) {
@@ -104,7 +109,8 @@ ShellRegions shell_regions(const Numbering& numbering, const ModelParts& parts) 
   for (std::size_t r = 1; r < parts.regions.size(); ++r)
     if (!from_solid[r])
       for (const int face : parts.regions[r].faces)
-        regions[static_cast<int>(r)].push_back(numbers[static_cast<std::size_t>(face)]);
+        if (const auto& sources = numbers[static_cast<std::size_t>(face)]; !sources.empty())
+          regions[static_cast<int>(r)].push_back(sources);
   return regions;
 }
 

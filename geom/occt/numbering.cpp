@@ -114,6 +114,11 @@ Numbering number_entities(const ShapeMaps& as_read, const SolidSet& set, std::ve
     number_dimension(dim, as_read, final, set, numbering);
     note_changes(dim, numbering, notes);
   }
+  for (const TopoDS_Shape& cap : set.caps) {
+    std::vector<int>& tags = numbering.caps.emplace_back();
+    for (const TopoDS_Shape& image : images_of(cap, set))
+      if (const int tag = numbering.tag(2, image); tag > 0) tags.push_back(tag);
+  }
   return numbering;
 }
 

@@ -17,6 +17,7 @@ struct Numbering {
   TopTools_IndexedMapOfShape of[4];
   /// By dimension and number as read ([0] unused): the tags that it became, ascending.
   std::vector<std::vector<int>> became[4];
+  std::vector<std::vector<int>> caps;  ///< the tags that each of SolidSet::caps became
 
   [[nodiscard]] int count(int dim) const { return of[dim].Extent(); }
   [[nodiscard]] int tag(int dim, const TopoDS_Shape& shape) const { return of[dim].FindIndex(shape); }

@@ -16,6 +16,9 @@ struct ReadOptions {
   /// Faces that are loose, or leave a solid open, are sewn within this distance (mm). 0: by growing ones, up
   /// to a ten-thousandth of the faces' diagonal.
   double sew_tolerance = 0.0;
+  /// Openings that lie in a plane, and would leave a shell or a solid open, are closed by a plane face each,
+  /// named "cap 1", "cap 2", ... and listed in the model's notes.
+  bool cap = false;
   /// Edges no longer, and faces, spikes and slits no wider than this (mm) are taken away where that leaves
   /// the part closed, and listed in the model's notes. What rounding leaves (1e-7 of a solid's diagonal)
   /// always is.

@@ -3,21 +3,38 @@
 #include "geom/occt/sew.h"
 
 #include <BRepBuilderAPI_Sewing.hxx>
+#include <BRepGProp.hxx>
 #include <BRepLib.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <GProp_GProps.hxx>
+#include <ShapeFix_Shell.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopTools_MapOfShape.hxx>
+#include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
+#include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
+#include <cmath>
 #include <utility>
 
+#include "geom/occt/free_edges.h"
 #include "geom/occt/shape_box.h"
+#include "geom/occt/shape_volume.h"
 
 namespace octet {
 namespace {
+
+TopoDS_Compound compound_of(const std::vector<TopoDS_Shape>& shapes) {
+  const BRep_Builder builder;
+  TopoDS_Compound all;
+  builder.MakeCompound(all);
+  for (const TopoDS_Shape& shape : shapes) builder.Add(all, shape);
+  return all;
+}
 
 TopoDS_Shape solid_from_shell(const TopoDS_Shape& shell) {
   TopoDS_Solid solid;
@@ -42,6 +59,102 @@ void add_history(const BRepBuilderAPI_Sewing& sewing, const TopoDS_Shape& compou
   }
 }
 
+Sewn sewn_within(const TopoDS_Compound& compound, double tolerance) {
+  BRepBuilderAPI_Sewing sewing(tolerance);
+  sewing.Add(compound);
+  sewing.Perform();
+  Sewn sewn;
+  sewn.shape = sewing.SewedShape();
+  sewn.solids = solids_from_shells(sewn.shape);
+  sewn.free_edges = static_cast<std::size_t>(sewing.NbFreeEdges());
+  sewn.tolerance = tolerance;
+  sewn.history = new BRepTools_History();
+  add_history(sewing, compound, *sewn.history);
+  return sewn;
+}
+
+/// The faces, sorted into shells that hang together and are turned alike.
+TopoDS_Shape shells_of(const std::vector<TopoDS_Shape>& faces) {
+  const BRep_Builder builder;
+  TopoDS_Shell all;
+  builder.MakeShell(all);
+  for (const TopoDS_Shape& face : faces) builder.Add(all, face);
+  ShapeFix_Shell fix;
+  fix.FixFaceOrientation(all);
+  return fix.Shape();
+}
+
+/// The tolerances of the cap's edges and vertices become as wide as these lie off it.
+void widen(const Cap& cap) {
+  const BRep_Builder builder;
+  for (const TopoDS_Edge& edge : cap.edges) {
+    builder.UpdateEdge(edge, cap.off);
+    for (TopExp_Explorer it(edge, TopAbs_VERTEX); it.More(); it.Next())
+      builder.UpdateVertex(TopoDS::Vertex(it.Current()), BRep_Tool::Tolerance(edge));
+  }
+}
+
+/// A shell that encloses nothing, but for its tolerance.
+bool is_flat(const TopoDS_Shape& shell, double tolerance) {
+  GProp_GProps properties;
+  BRepGProp::SurfaceProperties(shell, properties);
+  return std::abs(volume_of(shell)) <= tolerance * std::abs(properties.Mass());
+}
+
+TopTools_MapOfShape faces_in(const std::vector<TopoDS_Shape>& shapes) {
+  TopTools_MapOfShape faces;
+  for (const TopoDS_Shape& shape : shapes)
+    for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next()) faces.Add(it.Current());
+  return faces;
+}
+
+using FacesOfEdges = TopTools_IndexedDataMapOfShapeListOfShape;
+
+/// Whether no other face has an edge of the shell: what hangs on one is no part of a skin, and which faces of
+/// three at an edge bound something is a guess.
+bool is_whole(const TopoDS_Shape& shell, const FacesOfEdges& faces_of) {
+  const TopTools_MapOfShape faces = faces_in({shell});
+  for (TopExp_Explorer it(shell, TopAbs_EDGE); it.More(); it.Next())
+    for (const TopoDS_Shape& face : faces_of.FindFromKey(it.Current()))
+      if (!faces.Contains(face)) return false;
+  return true;
+}
+
+/// Caps what is open. Of the shells that it closes those that enclose nothing are left as they were.
+void cap_openings(Sewn& sewn) {
+  const TopTools_MapOfShape closed = faces_in(sewn.solids);
+  std::vector<TopoDS_Shape> faces;
+  for (TopExp_Explorer it(sewn.shape, TopAbs_FACE); it.More(); it.Next())
+    if (!closed.Contains(it.Current())) faces.push_back(it.Current());
+  const std::vector<Cap> caps = planar_caps(compound_of(faces), sewn.tolerance);
+  if (caps.empty()) return;
+  for (const Cap& cap : caps) faces.push_back(cap.face);
+  FacesOfEdges faces_of;
+  TopExp::MapShapesAndAncestors(compound_of(faces), TopAbs_EDGE, TopAbs_FACE, faces_of);
+  std::vector<TopoDS_Shape> solids, flat;
+  for (const TopoDS_Shape& solid : solids_from_shells(shells_of(faces))) {
+    if (is_flat(solid, sewn.tolerance))
+      flat.push_back(solid);
+    else if (is_whole(solid, faces_of))
+      solids.push_back(solid);
+  }
+  const TopTools_MapOfShape used = faces_in(solids), in_flat = faces_in(flat);
+  std::vector<TopoDS_Shape> all{sewn.shape};
+  for (const Cap& cap : caps) {
+    if (in_flat.Contains(cap.face)) continue;
+    all.push_back(cap.face);
+    if (!used.Contains(cap.face)) {
+      ++sewn.caps_left;
+      continue;
+    }
+    widen(cap);
+    sewn.caps.push_back(cap);
+  }
+  sewn.shape = compound_of(all);
+  sewn.free_edges = free_edges(sewn.shape).size();
+  sewn.solids.insert(sewn.solids.end(), solids.begin(), solids.end());
+}
+
 }  // namespace
 
 std::vector<TopoDS_Shape> solids_from_shells(const TopoDS_Shape& shape) {
@@ -53,33 +166,22 @@ std::vector<TopoDS_Shape> solids_from_shells(const TopoDS_Shape& shape) {
   return solids;
 }
 
-Sewn sew_faces(const std::vector<TopoDS_Shape>& faces, double tolerance) {
-  TopoDS_Compound compound;
-  BRep_Builder builder;
-  builder.MakeCompound(compound);
-  for (const TopoDS_Shape& face : faces) builder.Add(compound, face);
-  std::vector<double> tolerances = {tolerance};
-  if (tolerance <= 0.0) {
+Sewn sew_faces(const std::vector<TopoDS_Shape>& faces, const SewOptions& options) {
+  const TopoDS_Compound compound = compound_of(faces);
+  std::vector<double> tolerances = {options.tolerance};
+  if (options.tolerance <= 0.0) {
     const double diagonal = diagonal_of(box_of(compound));
     tolerances = {1e-7 * diagonal, 1e-6 * diagonal, 1e-5 * diagonal, 1e-4 * diagonal};
   }
   Sewn best;
   for (const double reach : tolerances) {
-    BRepBuilderAPI_Sewing sewing(reach);
-    sewing.Add(compound);
-    sewing.Perform();
-    const auto solids = solids_from_shells(sewing.SewedShape());
-    const auto free = static_cast<std::size_t>(sewing.NbFreeEdges());
-    const bool worse = std::pair(solids.empty(), free) >= std::pair(best.solids.empty(), best.free_edges);
-    if (!best.shape.IsNull() && worse) continue;
-    best.shape = sewing.SewedShape();
-    best.solids = solids;
-    best.free_edges = free;
-    best.tolerance = reach;
-    best.history = new BRepTools_History();
-    add_history(sewing, compound, *best.history);
-    if (free == 0 && !solids.empty()) break;
+    const Sewn sewn = sewn_within(compound, reach);
+    const bool worse =
+        std::pair(sewn.solids.empty(), sewn.free_edges) >= std::pair(best.solids.empty(), best.free_edges);
+    if (best.shape.IsNull() || !worse) best = sewn;
+    if (best.free_edges == 0 && !best.solids.empty()) break;
   }
+  if (options.cap && !best.shape.IsNull() && best.free_edges > 0) cap_openings(best);
   return best;
 }
 

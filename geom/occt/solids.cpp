@@ -7,7 +7,6 @@
 #include <BRep_Tool.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
-#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
@@ -19,7 +18,9 @@
 #include "base/error.h"
 #include "base/segment.h"
 #include "geom/occt/canonical.h"
-#include "geom/occt/sew.h"
+#include "geom/occt/caps.h"
+#include "geom/occt/entity_names.h"
+#include "geom/occt/free_edges.h"
 #include "geom/occt/shape_box.h"
 
 namespace octet {
@@ -45,41 +46,18 @@ Vec3 place_of(const TopoDS_Edge& edge) {
   return vertex.IsNull() ? Vec3(Vec3::Zero()) : to_vec(BRep_Tool::Pnt(vertex));
 }
 
-/// Points along an edge, the ends among them; none where it has no curve.
-std::vector<Vec3> points_along(const TopoDS_Edge& edge) {
-  constexpr int kPieces = 16;
-  double first = 0.0, last = 0.0;
-  const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, first, last);
-  std::vector<Vec3> points;
-  for (int i = 0; i <= kPieces && !curve.IsNull(); ++i)
-    points.push_back(to_vec(curve->Value(first + (last - first) * i / kPieces)));
-  return points;
-}
-
 /// How far the middle of the edge is from the nearest of the others, by points along them.
 double gap_at(const TopoDS_Edge& edge, const std::vector<TopoDS_Edge>& others) {
+  constexpr int kPieces = 16;
   const Vec3 middle = place_of(edge);
   double least = std::numeric_limits<double>::infinity();
   for (const TopoDS_Edge& other : others) {
     if (other.IsSame(edge)) continue;
-    const std::vector<Vec3> points = points_along(other);
+    const std::vector<Vec3> points = points_along(other, kPieces);
     for (std::size_t i = 1; i < points.size(); ++i)
       least = std::min(least, distance_to_segment(middle, points[i - 1], points[i]));
   }
   return least;
-}
-
-std::vector<TopoDS_Edge> free_edges(const TopoDS_Shape& shape) {
-  TopTools_IndexedDataMapOfShapeListOfShape faces_of;
-  TopExp::MapShapesAndAncestors(shape, TopAbs_EDGE, TopAbs_FACE, faces_of);
-  std::vector<TopoDS_Edge> edges;
-  for (int i = 1; i <= faces_of.Extent(); ++i) {
-    const TopoDS_Edge& edge = TopoDS::Edge(faces_of.FindKey(i));
-    const TopTools_ListOfShape& faces = faces_of(i);
-    if (BRep_Tool::Degenerated(edge) || faces.Extent() != 1) continue;
-    if (!BRep_Tool::IsClosed(edge, TopoDS::Face(faces.First()))) edges.push_back(edge);
-  }
-  return edges;
 }
 
 /// A face of `shape` that has the edge.
@@ -122,7 +100,8 @@ int number_as_read(int dim, const TopoDS_Shape& shape, const ShapeMaps& as_read,
   return 0;
 }
 
-Fault opening_of(const TopoDS_Shape& shape, const ShapeMaps& as_read, const SolidSet& set, double sewn) {
+Fault opening_of(const TopoDS_Shape& shape, const ShapeMaps& as_read, const SolidSet& set,
+                 const SewOptions& tried) {
   Fault fault;
   fault.cause = "it holds no solid and no closed shell";
   const std::vector<TopoDS_Edge> edges = free_edges(shape);
@@ -146,12 +125,20 @@ Fault opening_of(const TopoDS_Shape& shape, const ShapeMaps& as_read, const Soli
   if (edges.size() > 1) {
     fault.cause += fmt::format(", one of {} free edges and the farthest from any other, {:.3g} mm",
                                edges.size(), widest);
-    fault.advice = advice_for(widest, diagonal_of(box_of(shape)), sewn);
+    fault.advice = advice_for(widest, diagonal_of(box_of(shape)), tried.tolerance);
   }
+  if (const auto caps = tried.cap ? std::vector<Cap>{} : planar_caps(shape, tried.tolerance); !caps.empty())
+    fault.advice += fmt::format("; {} opening(s) lie in planes: --cap closes such", caps.size());
   return fault;
 }
 
-SolidSet collect_solids(const TopoDS_Shape& shape, const ShapeMaps& as_read, double sew_tolerance) {
+void add_caps(const std::vector<Cap>& caps, const ShapeMaps& as_read, SolidSet& set) {
+  if (caps.empty()) return;
+  set.notes.push_back(caps_note(caps, set.caps.size(), EntityNames(as_read, set)));
+  for (const Cap& cap : caps) set.caps.push_back(cap.face);
+}
+
+SolidSet collect_solids(const TopoDS_Shape& shape, const ShapeMaps& as_read, const SewOptions& sewing) {
   SolidSet set;
   set.history = new BRepTools_History();
   for (int i = 1; i <= as_read.of[3].Extent(); ++i)
@@ -162,20 +149,25 @@ SolidSet collect_solids(const TopoDS_Shape& shape, const ShapeMaps& as_read, dou
     set.solids.insert(set.solids.end(), shells.begin(), shells.end());
   }
   const auto loose = loose_faces(as_read, set.solids);
-  const Sewn sewn = loose.empty() ? Sewn{} : sew_faces(loose, sew_tolerance);
+  const Sewn sewn = loose.empty() ? Sewn{} : sew_faces(loose, sewing);
   if (!sewn.shape.IsNull() && (set.solids.empty() || !sewn.solids.empty())) set.history->Merge(sewn.history);
   if (!sewn.solids.empty()) {
     set.notes.push_back(fmt::format(
         "{} loose faces sewn with tolerance {:.3g} mm into {} closed shell(s); {} free edge(s) left",
         loose.size(), sewn.tolerance, sewn.solids.size(), sewn.free_edges));
+    add_caps(sewn.caps, as_read, set);
     set.solids.insert(set.solids.end(), sewn.solids.begin(), sewn.solids.end());
   }
   if (set.solids.empty()) {
-    const Fault opening = opening_of(sewn.shape.IsNull() ? shape : sewn.shape, as_read, set, sewn.tolerance);
-    std::string sewing;
+    const Fault opening =
+        opening_of(sewn.shape.IsNull() ? shape : sewn.shape, as_read, set, {sewn.tolerance, sewing.cap});
+    std::string done;
     if (loose.size() > 1)
-      sewing = fmt::format(" with its {} faces sewn within {:.3g} mm", loose.size(), sewn.tolerance);
-    throw ModelError("the part bounds no volume" + sewing + ": " + opening.cause +
+      done = fmt::format(" with its {} faces sewn within {:.3g} mm", loose.size(), sewn.tolerance);
+    if (sewn.caps_left > 0)
+      done += fmt::format("{} {} opening(s) closed that lie in planes", done.empty() ? " with" : " and",
+                          sewn.caps_left);
+    throw ModelError("the part bounds no volume" + done + ": " + opening.cause +
                          (opening.advice.empty() ? "" : "; " + opening.advice),
                      opening.entity);
   }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/fault.h"
+#include "geom/occt/sew.h"
 
 namespace octet {
 
@@ -24,6 +25,7 @@ struct SolidSet {
   std::vector<TopoDS_Shape> solids;   ///< in the order of the shape as read
   Handle(BRepTools_History) history;  ///< from the shape as read; what is not in it is unchanged
   std::vector<std::string> notes;
+  std::vector<TopoDS_Shape> caps{};  ///< faces that were added over openings, as they were then
 };
 
 /// What became of an entity of the shape as read; itself where nothing did, nothing where it was removed.
@@ -35,14 +37,18 @@ struct SolidSet {
                                  const SolidSet& set);
 
 /// Why `shape`, a part of the shape as read or of what became of that, bounds no volume: of its free edges
-/// the one that is farthest from all others, numbered as read. The advice is a tolerance where sewing with
-/// more than `sewn`, which has been tried, may help.
+/// the one that is farthest from all others, numbered as read. The advice is what of sewing with
+/// more and of capping may help, beyond what has been tried.
 [[nodiscard]] Fault opening_of(const TopoDS_Shape& shape, const ShapeMaps& as_read, const SolidSet& set,
-                               double sewn);
+                               const SewOptions& tried);
 
-/// Closed shells become solids, loose faces are sewn (sew_faces()). `shape` is not changed.
+/// Adds to the set what was closed so, and says it in a note.
+void add_caps(const std::vector<Cap>& caps, const ShapeMaps& as_read, SolidSet& set);
+
+/// Closed shells become solids, loose faces are sewn and capped (sew_faces()). Of `shape` only tolerances may
+/// become wider, those of edges of caps.
 /// ModelError: nothing in it bounds a volume (names the first free edge, a face of it and its place).
 [[nodiscard]] SolidSet collect_solids(const TopoDS_Shape& shape, const ShapeMaps& as_read,
-                                      double sew_tolerance);
+                                      const SewOptions& sewing);
 
 }  // namespace octet
