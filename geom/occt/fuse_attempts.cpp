@@ -17,10 +17,14 @@
 namespace octet {
 namespace {
 
-/// Tolerances of a fuse, as shares of its solids' diagonal: none, then up to the noise of files.
-constexpr std::array<double, 4> kTolerances{0.0, 1e-8, 1e-7, 1e-6};
-/// No tolerance is more than this share of the smallest solid's diagonal.
-constexpr double kLargestTolerance = 1e-5;
+/// Tolerances of a fuse, as shares of its solids' diagonal, none of them more than a share of the smallest
+/// solid's: none, then up to the noise of files, then, for walls askew of which a part only is noise, more.
+/// What these give must leave nothing to be wished for.
+struct Step {
+  double of_all, of_smallest;
+};
+constexpr std::array<Step, 6> kSteps{
+    {{0.0, 1e-5}, {1e-8, 1e-5}, {1e-7, 1e-5}, {1e-6, 1e-5}, {4e-6, 3e-5}, {1e-5, 5e-5}}};
 /// Of a part with more pairs at odds than this no pair is fused by itself.
 constexpr std::size_t kMostPairs = 40;
 
@@ -78,14 +82,14 @@ class Attempts {
     double smallest = diagonal_;
     for (const TopoDS_Shape& solid : solids_) smallest = std::min(smallest, diagonal_of(box_of(solid)));
     double last = -1.0;
-    for (const double share : kTolerances) {
-      const double tolerance = std::min(share * diagonal_, kLargestTolerance * smallest);
-      if (tolerance <= last) break;
+    for (const Step& step : kSteps) {
+      const double tolerance = std::min(step.of_all * diagonal_, step.of_smallest * smallest);
+      if (tolerance <= last) continue;
       last = tolerance;
       if (best_ && is_clean_but_for_gaps() && tolerance < best_->near().narrowest) continue;
       if (!attempt(contacts_, tolerance) && !contacts_.empty()) attempt({}, tolerance);
       if (is_clean_but_for_gaps() && best_->near().count == 0) break;
-      if (share == 0.0 && is_hopeless()) break;
+      if (tolerance == 0.0 && is_hopeless()) break;
     }
     return std::move(best_);
   }
@@ -93,6 +97,11 @@ class Attempts {
  private:
   [[nodiscard]] bool is_clean_but_for_gaps() const {
     return best_->sound() && best_->thin_pieces() + best_->slivers() == 0;
+  }
+
+  using Badness = std::tuple<bool, std::size_t, int, int>;
+  [[nodiscard]] static Badness badness(const GroupFuse& of) {
+    return {of.failed(), of.conflicts().size(), of.thin_pieces() + of.near().count, of.slivers()};
   }
 
   /// Whether some of the solids cannot be joined by themselves; then they are what is told of the group.
@@ -107,11 +116,8 @@ class Attempts {
   bool attempt(const std::vector<TopoDS_Edge>& contacts, double tolerance) {
     auto fuse = std::make_unique<GroupFuse>(solids_, contacts, tolerance, kRoundingShare * diagonal_);
     const bool sound = fuse->sound();
-    const auto badness = [](const GroupFuse& of) {
-      return std::make_tuple(of.failed(), of.conflicts().size(), of.thin_pieces() + of.near().count,
-                             of.slivers());
-    };
-    if (!best_ || badness(*fuse) < badness(*best_)) best_ = std::move(fuse);
+    const bool counts = tolerance <= kRoundingShare * diagonal_ || badness(*fuse) == Badness{};
+    if (!best_ || (counts && badness(*fuse) < badness(*best_))) best_ = std::move(fuse);
     return sound;
   }
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <BRepGProp.hxx>
+#include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
 #include <Message_Alert.hxx>
 #include <Message_Report.hxx>
@@ -30,6 +31,7 @@
 #include "geom/occt/loose_parts.h"
 #include "geom/occt/shape_box.h"
 #include "geom/occt/shape_volume.h"
+#include "geom/occt/torn_edges.h"
 
 namespace octet {
 namespace {
@@ -44,6 +46,9 @@ const char* meaning_of(std::string_view alert) {
   if (alert == "BOPAlgo_AlertUnableToOrientTheShell") return "shell(s) without orientation";
   return nullptr;
 }
+
+/// What a tolerance should have joined is no farther apart than this many of it.
+constexpr double kFartherApart = 4.0;
 
 bool is_inside(TopAbs_Orientation way) { return way == TopAbs_INTERNAL || way == TopAbs_EXTERNAL; }
 
@@ -170,9 +175,10 @@ GroupFuse::GroupFuse(const std::vector<TopoDS_Shape>& solids, const std::vector<
   drop_loose_parts(solids, images_, history_);
   find_conflicts(solids);
   count_thin_pieces(thin);
-  find_near_faces(thin);
+  find_near_faces(std::max(thin, kFartherApart * tolerance));
   find_pieces(solids);
   judge_face_pieces(solids, thin);
+  find_torn_edges(solids, thin);
   for (const HalfCut& cut : half_cuts(images_))
     conflicts_.push_back({cut.solids, cut.place, "they overlap, and their faces are cut in part only"});
 }
@@ -267,6 +273,23 @@ void GroupFuse::judge_face_pieces(const std::vector<TopoDS_Shape>& solids, doubl
     if (images_[i].empty()) continue;
     if (const TopoDS_Face lost = lost_piece(pieces, images_[i]); !lost.IsNull())
       conflicts_.push_back({{i, i}, middle_of(lost), "a part of it would be lost"});
+  }
+}
+
+// The fuse's own vertices may have a tolerance that covers any gap; those of the solids tell what is usual.
+void GroupFuse::find_torn_edges(const std::vector<TopoDS_Shape>& solids, double thin) {
+  TopTools_IndexedMapOfShape before;
+  std::vector<double> near;
+  for (const TopoDS_Shape& solid : solids) {
+    TopExp::MapShapes(solid, TopAbs_EDGE, before);
+    near.push_back(std::max(thin, 2.0 * (tolerance_ + BRep_Tool::MaxTolerance(solid, TopAbs_VERTEX))));
+  }
+  const Owners edges(images_, TopAbs_EDGE);
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    const TopoDS_Edge& edge = TopoDS::Edge(edges.shape(k));
+    const std::size_t first = edges.of(k).front(), last = edges.of(k).back();
+    if (before.Contains(edge) || !is_torn(edge, std::max(near[first], near[last]))) continue;
+    conflicts_.push_back({{first, last}, middle_of(edge), "an edge would end elsewhere than its vertex is"});
   }
 }
 

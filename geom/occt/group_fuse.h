@@ -40,7 +40,7 @@ class GroupFuse {
   [[nodiscard]] bool sound() const { return !failed_ && conflicts_.empty(); }
   /// Solids left open, without anything or without a piece of their boundary, two on one side of a face,
   /// faces of others inside of one, pieces of a line along which two touch, faces that another solid cuts in
-  /// part only.
+  /// part only, edges that end elsewhere than their vertices are.
   [[nodiscard]] const std::vector<FuseConflict>& conflicts() const { return conflicts_; }
   /// Takes these for the conflicts: of solids that are at odds by themselves, too.
   void blame(std::vector<FuseConflict> conflicts) { conflicts_ = std::move(conflicts); }
@@ -64,6 +64,7 @@ class GroupFuse {
   void count_thin_pieces(double thin);
   void find_near_faces(double thin);
   void find_pieces(const std::vector<TopoDS_Shape>& solids);
+  void find_torn_edges(const std::vector<TopoDS_Shape>& solids, double thin);
   void judge_face_pieces(const std::vector<TopoDS_Shape>& solids, double thin);
 
   double tolerance_;
