@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "geom/facet_bvh.h"
+
 namespace octet {
 namespace {
 
@@ -54,6 +56,37 @@ void polish(const Model& model, const Vec3& a, const Vec3& axis, double radius, 
   }
 }
 
+/// Least cosine between the normals of sheets that face each other.
+constexpr double kFacing = 0.7;
+
+/// All places within reach where a sheet may touch a ball that touches another at a, along `axis`, and face
+/// it. The chord to such a place has a cosine of sqrt((1 + kFacing) / 2) = 0.92 with the axis, and more.
+Box3 box_ahead(const Vec3& a, const Vec3& axis, double reach) {
+  constexpr double kSpread = 0.5;  // sine; 0.39 without a margin
+  Box3 box;
+  box.add(a);
+  for (const double way : {-kSpread, kSpread})
+    box.add(a + reach * (axis + way * (Vec3::Ones() - axis.cwiseAbs2()).cwiseMax(0.0).cwiseSqrt()));
+  return box;
+}
+
+/// Whether any facet ahead may be of a sheet that faces the one at a. The ball between lies in one region, so
+/// the sheet's side towards that region looks back; facets are trusted to about 45 degrees. One that is off
+/// by more is thinner than it deviates, and what is beside it is as near.
+bool may_face_another(const Model& model, const Vec3& a, int face_of_a, const Vec3& axis, int side,
+                      double reach) {
+  constexpr double kLeastFacing = 0.05;  // of facets; planes at right angles have rounding
+  const int between = model.face(face_of_a).region[side > 0 ? 1 : 0];
+  const Facets& facets = model.facets();
+  return model.bvh().any_in_box(box_ahead(a, axis, reach), [&](std::uint32_t t) {
+    const auto [p, q, r] = facet_corners(facets, t);
+    const Vec3 normal = (q - p).cross(r - p);
+    const double along = normal.dot(axis);
+    if (std::abs(along) < kLeastFacing * normal.norm()) return false;
+    return model.face(facets.face[t]).region[along < 0.0 ? 1 : 0] == between;
+  });
+}
+
 }  // namespace
 
 std::optional<Foot> opposite_point(const Model& model, const Vec3& a, int face_of_a, const Vec3& normal,
@@ -94,8 +127,16 @@ double cosine_between(const Vec3& a, const Vec3& normal, const Foot& b) {
 }
 
 bool face_each_other(const Vec3& a, const Vec3& normal, const Foot& b) {
-  constexpr double kFacing = 0.7;
   return cosine_between(a, normal, b) >= kFacing;
+}
+
+std::optional<Foot> facing_point(const Model& model, const Vec3& a, int face_of_a, const Vec3& normal,
+                                 int side, double max_distance) {
+  const Vec3 axis = side < 0 ? Vec3(-normal) : normal;
+  if (!may_face_another(model, a, face_of_a, axis, side, max_distance)) return std::nullopt;
+  std::optional<Foot> b = opposite_point(model, a, face_of_a, normal, side, max_distance);
+  if (b && (b->on.dim != 2 || !face_each_other(a, normal, *b))) b.reset();
+  return b;
 }
 
 }  // namespace octet

@@ -74,8 +74,8 @@ class FaceSeeder {
 
   [[nodiscard]] std::optional<FacePoint> partner(const FacePoint& a, const Vec3& normal, int side) const {
     const double reach = kMatchDistance * a.size;
-    const std::optional<Foot> foot = opposite_point(model_, a.p, a.face, normal, side, reach);
-    if (!foot || foot->on.dim != 2 || !face_each_other(a.p, normal, *foot)) return std::nullopt;
+    const std::optional<Foot> foot = facing_point(model_, a.p, a.face, normal, side, reach);
+    if (!foot) return std::nullopt;
     return FacePoint{foot->point, foot->on.tag, a.size};
   }
 
