@@ -3,6 +3,7 @@
 #include "geom/planar_triangulation.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/check.h"
 #include "base/predicates.h"
@@ -22,6 +23,12 @@ double in_circle(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
 }  // namespace
 
 int orient2d(const Vec2& a, const Vec2& b, const Vec2& c) {
+  // [Shewchuk 1997, fig. 21], but for products that underflow.
+  constexpr double kError = 4.0 * 0x1p-53, kSmallest = 1e-290;
+  const double left = (b.x() - a.x()) * (c.y() - a.y()), right = (b.y() - a.y()) * (c.x() - a.x());
+  const double twice_area = left - right;
+  if (std::abs(twice_area) > kError * (std::abs(left) + std::abs(right)) + kSmallest)
+    return twice_area > 0.0 ? 1 : -1;
   return orient3d({a.x(), a.y(), 0.0}, {b.x(), b.y(), 0.0}, {c.x(), c.y(), 0.0}, {c.x(), c.y(), 1.0});
 }
 
