@@ -316,6 +316,7 @@ bool PatchTree::newton(const Segment& segment, const Patch& patch, SurfaceRoot& 
 bool PatchTree::coincide(const Segment& segment, const Patch& leaf, std::vector<Found>& roots) const {
   const auto part = clip(segment.p, segment.d, leaf.box);
   if (!part || (part->second - part->first) * segment.length < 0.1 * leaf.box.diagonal()) return false;
+  constexpr double kSteep = 0.9, kOff = 1e4;
   std::array<SurfaceRoot, 5> at;
   for (int i = 0; i < 5; ++i) {
     const double t = part->first + (0.02 + 0.24 * i) * (part->second - part->first);
@@ -326,6 +327,10 @@ bool PatchTree::coincide(const Segment& segment, const Patch& leaf, std::vector<
       const Vec3 n = cross_of(jet), w = goal - jet.p;
       const double nn = n.squaredNorm();
       if (nn == 0.0) return false;
+      // From a leaf, which turns little, places on the surface are seen along it.
+      const double height = n.dot(w);
+      if (height * height > kSteep * kSteep * nn * w.squaredNorm() && w.norm() > kOff * segment.tolerance)
+        return false;
       const Vec2 step(w.cross(jet.dv).dot(n) / nn, jet.du.cross(w).dot(n) / nn);
       uv = (uv + step).cwiseMax(range_.lo).cwiseMin(range_.hi);
       if (iteration > 2 && w.norm() <= segment.tolerance) break;
