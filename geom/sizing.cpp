@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <string_view>
 #include <utility>
@@ -157,14 +158,38 @@ double turning_rate(const Model& model, int face, const std::array<Vec2, 3>& cor
   return all < 2.0 * kFlat ? 0.0 : largest;
 }
 
+/// Of faces at nodes of their facets: the facets around a node ask for the same.
+class NodeCurvatures {
+ public:
+  explicit NodeCurvatures(const Model& model) : model_(model), known_(model.facets().nodes.size()) {}
+
+  double at(int face, std::uint32_t node, const Vec2& uv) {
+    Known& known = known_[node];
+    if (known.face != face || known.uv != uv) known = {face, uv, model_.face_curvature(face, uv)};
+    return known.curvature;
+  }
+
+ private:
+  struct Known {
+    int face = 0;
+    Vec2 uv = Vec2::Zero();
+    double curvature = 0.0;
+  };
+  const Model& model_;
+  std::vector<Known> known_;
+};
+
 /// The curvature at the corners, the largest, but no more than twice what the facet turns; 0 where it is no
 /// more than `least`. Beside a side of no length derivatives of a patch of splines are small and wrong: its
 /// curvature was that of 1e-30 to 0.2 mm where it is flat to 0.001 radians, at places that depended on how
 /// the part was turned.
-double facet_curvature(const Model& model, int face, const std::array<Vec2, 3>& corners, double least) {
+double facet_curvature(const Model& model, std::size_t facet, double least, NodeCurvatures& curvatures) {
   constexpr double kBelieved = 2.0;
+  const int face = model.facets().face[facet];
+  const std::array<Vec2, 3>& corners = model.facets().uv[facet];
   double curvature = 0.0;
-  for (const Vec2& uv : corners) curvature = std::max(curvature, model.face_curvature(face, uv));
+  for (std::size_t k = 0; k < 3; ++k)
+    curvature = std::max(curvature, curvatures.at(face, model.facets().triangles[facet][k], corners[k]));
   if (curvature <= least) return 0.0;
   return std::min(curvature, kBelieved * turning_rate(model, face, corners));
 }
@@ -172,10 +197,11 @@ double facet_curvature(const Model& model, int face, const std::array<Vec2, 3>& 
 void wish_on_faces(const Model& model, const SizingOptions& options, Wishes& wishes) {
   const Facets& facets = model.facets();
   const double least = options.curvature_angle / options.size;  // what asks for no more than the size
+  NodeCurvatures curvatures(model);
   for (std::size_t i = 0; i < facets.triangles.size(); ++i) {
     const int face = facets.face[i];
     if (std::string_view(model.surface(face).kind()) == "plane") continue;
-    const double curvature = facet_curvature(model, face, facets.uv[i], least);
+    const double curvature = facet_curvature(model, i, least, curvatures);
     if (curvature > 0.0)
       wish_on_triangle(facet_corners(facets, i),
                        std::max(options.curvature_angle / curvature, options.curvature_floor),
