@@ -3,25 +3,24 @@
 #include "geom/occt/occt_surface.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <memory>
+#include <mutex>
 
 namespace octet {
 namespace {
 
 class OcctSurface final : public Surface {
  public:
-  OcctSurface(SurfaceJets jets, const UvCell& face_cell) : jets_(std::move(jets)) {
-    set_range(face_cell);
-    tree_ = std::make_unique<PatchTree>([this](const Vec2& uv, int n) { return evaluate(uv, n); },
-                                        jets_.u_breaks(range_), jets_.v_breaks(range_));
-  }
+  OcctSurface(SurfaceJets jets, const UvCell& face_cell) : jets_(std::move(jets)) { set_range(face_cell); }
 
   SurfaceJet evaluate(const Vec2& uv, int derivatives) const override {
     return jets_.evaluate(uv, derivatives);
   }
 
   void intersect(const Vec3& p, const Vec3& q, std::vector<SurfaceRoot>& roots) const override {
-    tree_->intersect(p, q, roots);
+    tree().intersect(p, q, roots);
   }
 
   SurfaceFoot project(const Vec3& p, const Vec2& seed) const override;
@@ -29,6 +28,12 @@ class OcctSurface final : public Surface {
   const char* kind() const override { return jets_.kind(); }
 
  private:
+  /// Made when it is first asked for: the process that reads a part asks for none.
+  [[nodiscard]] const PatchTree& tree() const {
+    const PatchTree* made = made_.load(std::memory_order_acquire);
+    return made != nullptr ? *made : make_tree();
+  }
+  [[nodiscard]] const PatchTree& make_tree() const;
   void set_range(const UvCell& face_cell);
   [[nodiscard]] bool is_collapsed(int axis, double value) const;
   [[nodiscard]] Vec2 into_range(Vec2 uv) const;
@@ -39,8 +44,19 @@ class OcctSurface final : public Surface {
   SurfaceJets jets_;
   UvCell range_;
   bool closed_[2] = {false, false};  ///< the range is one whole turn
-  std::unique_ptr<PatchTree> tree_;
+  mutable std::unique_ptr<const PatchTree> tree_;
+  mutable std::once_flag tree_begun_;
+  mutable std::atomic<const PatchTree*> made_{nullptr};  ///< the tree, once it is whole
 };
+
+const PatchTree& OcctSurface::make_tree() const {
+  std::call_once(tree_begun_, [this] {
+    tree_ = std::make_unique<const PatchTree>([this](const Vec2& uv, int n) { return evaluate(uv, n); },
+                                              jets_.u_breaks(range_), jets_.v_breaks(range_));
+    made_.store(tree_.get(), std::memory_order_release);
+  });
+  return *tree_;
+}
 
 /// The face's box, somewhat grown so that hits just across an edge are seen, within the surface's own bounds.
 void OcctSurface::set_range(const UvCell& face_cell) {
@@ -158,11 +174,11 @@ SurfaceFoot OcctSurface::descend(const Vec3& p, const Vec2& start, double small)
 }
 
 SurfaceFoot OcctSurface::project(const Vec3& p, const Vec2& seed) const {
-  const double small = 1e-14 * (tree_->box().diagonal() + p.cwiseAbs().maxCoeff());
+  const double small = 1e-14 * (tree().box().diagonal() + p.cwiseAbs().maxCoeff());
   const SurfaceFoot foot = descend(p, seed, small);
   if (foot.converged) return foot;
   // Stuck at a crease or a pole: once more from the nearest patch.
-  const SurfaceFoot other = descend(p, tree_->near(p), small);
+  const SurfaceFoot other = descend(p, tree().near(p), small);
   const bool nearer = (other.point - p).squaredNorm() < (foot.point - p).squaredNorm();
   return nearer ? other : foot;
 }
@@ -170,7 +186,7 @@ SurfaceFoot OcctSurface::project(const Vec3& p, const Vec2& seed) const {
 Vec3 OcctSurface::normal(const Vec2& uv) const {
   SurfaceJet jet = evaluate(uv, 1);
   Vec3 n = jet.du.cross(jet.dv);
-  const double size = tree_->box().diagonal();
+  const double size = tree().box().diagonal();
   const Vec2 span = range_.size();
   const double u_length = jet.du.norm() * span.x(), v_length = jet.dv.norm() * span.y();
   if (n.norm() * span.x() * span.y() > 1e-9 * size * std::max(u_length, v_length)) return n.normalized();
