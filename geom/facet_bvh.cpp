@@ -6,7 +6,9 @@
 #include <oneapi/tbb/parallel_invoke.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numeric>
 
@@ -17,15 +19,17 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+/// The next float farther from zero, or, for `steps` = -1, nearer to it.
+float stepped(float f, int steps) { return std::bit_cast<float>(std::bit_cast<std::int32_t>(f) + steps); }
+
+/// In place of the library's nextafter, which takes ten times as long.
 float round_down(double x) {
   const float f = static_cast<float>(x);
-  return static_cast<double>(f) > x ? std::nextafter(f, -std::numeric_limits<float>::infinity()) : f;
+  if (!(static_cast<double>(f) > x)) return f;
+  return f == 0.0f ? -std::numeric_limits<float>::denorm_min() : stepped(f, f > 0.0f ? -1 : 1);
 }
 
-float round_up(double x) {
-  const float f = static_cast<float>(x);
-  return static_cast<double>(f) < x ? std::nextafter(f, std::numeric_limits<float>::infinity()) : f;
-}
+float round_up(double x) { return -round_down(-x); }
 
 double half_area(const Box3& box) {
   if (box.empty()) return 0.0;
@@ -122,7 +126,7 @@ class FacetBvhBuilder {
     std::int32_t add(std::span<const Leaf> leaves, std::int32_t first, std::int32_t second) {
       Box3 box;
       for (const Leaf& l : leaves) box.add(l.box);
-      nodes.push_back({rounded(box), first, second});
+      nodes.push_back({FacetBvh::FloatBox::around(box), first, second});
       return static_cast<std::int32_t>(nodes.size() - 1);
     }
     /// Its root among the nodes here.
@@ -187,7 +191,7 @@ class FacetBvhBuilder {
     for (std::size_t i = 0; i < leaves.size(); ++i) {
       const Leaf& l = leaves[i];
       const auto& t = facets_.triangles[l.index];
-      FacetBvh::Item item{rounded(l.box),
+      FacetBvh::Item item{FacetBvh::FloatBox::around(l.box),
                           facets_.nodes[t[0]],
                           facets_.nodes[t[1]],
                           facets_.nodes[t[2]],
@@ -199,15 +203,6 @@ class FacetBvhBuilder {
       bvh_.items_[static_cast<std::size_t>(first) + i] = item;
     }
     return branch.add(leaves, static_cast<std::int32_t>(first), -static_cast<std::int32_t>(leaves.size()));
-  }
-
-  static FacetBvh::FloatBox rounded(const Box3& box) {
-    FacetBvh::FloatBox result;
-    for (int k = 0; k < 3; ++k) {
-      result.lo[k] = round_down(box.lo[k]);
-      result.hi[k] = round_up(box.hi[k]);
-    }
-    return result;
   }
 
   template <class MakeLeaf>
@@ -299,14 +294,18 @@ FacetBvh::FacetBvh(const Facets& facets, std::span<const double> grow, int faces
   FacetBvhBuilder(*this, facets, building).build(faces);
 }
 
-FacetBvh::Probe::Probe(const Vec3& from, const Vec3& to) : p(from), q(to) {
-  int moving = 0;
+FacetBvh::FloatBox FacetBvh::FloatBox::around(const Box3& box) {
+  FloatBox result;
   for (int k = 0; k < 3; ++k) {
-    box.lo[k] = round_down(std::min(p[k], q[k]));
-    box.hi[k] = round_up(std::max(p[k], q[k]));
-    moving += p[k] != q[k] ? 1 : 0;
+    result.lo[k] = round_down(box.lo[k]);
+    result.hi[k] = round_up(box.hi[k]);
   }
-  straight = moving <= 1;
+  return result;
+}
+
+FacetBvh::Probe::Probe(const Vec3& from, const Vec3& to)
+    : p(from), q(to), box(FloatBox::around({from.cwiseMin(to), from.cwiseMax(to)})) {
+  straight = (from.array() != to.array()).count() <= 1;
 }
 
 /// Separating axes of a segment and a box that meets the segment's box: the cross products of the segment

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <optional>
 #include <span>
@@ -13,6 +14,10 @@
 #include <vector>
 
 #include "geom/facets.h"
+
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
 
 namespace octet {
 
@@ -37,14 +42,14 @@ class FacetBvh {
   /// Rounded outward.
   struct FloatBox {
     std::array<float, 3> lo, hi;
+    [[nodiscard]] static FloatBox around(const Box3& box);
     [[nodiscard]] double squared_distance(const Vec3& p) const;
-    /// From a FloatBox or a Box3.
-    template <class Box>
-    [[nodiscard]] bool apart(const Box& box) const {
+    [[nodiscard]] bool apart(const Box3& box) const {
       bool apart = false;
       for (int k = 0; k < 3; ++k) apart |= lo[k] > box.hi[k] || hi[k] < box.lo[k];
       return apart;
     }
+    [[nodiscard]] bool apart(const FloatBox& box) const;
   };
   /// A segment as boxes are asked about it.
   struct Probe {
@@ -158,6 +163,32 @@ class FacetBvh {
   double max_grow_ = 0.0;
 };
 
+/// All axes at once, which takes half as long: it is what most of a traversal is.
+inline bool FacetBvh::FloatBox::apart(const FloatBox& box) const {
+#ifdef __SSE2__
+  static_assert(sizeof(FloatBox) == 6 * sizeof(float));
+  // Four of a box's six numbers: lo and hi[0], or, from the third on, lo[2] and hi.
+  const auto four = [](const FloatBox& b, std::size_t from) {
+    __m128 numbers;
+    std::memcpy(&numbers, reinterpret_cast<const char*>(&b) + from * sizeof(float), sizeof numbers);
+    return numbers;
+  };
+  const auto lo_of = [&](const FloatBox& b) { return four(b, 0); };
+  const auto hi_of = [&](const FloatBox& b) {
+    const __m128 last = four(b, 2);
+    return _mm_shuffle_ps(last, last, _MM_SHUFFLE(0, 3, 2, 1));
+  };
+  const __m128 beyond =
+      _mm_or_ps(_mm_cmpgt_ps(lo_of(*this), hi_of(box)), _mm_cmpgt_ps(lo_of(box), hi_of(*this)));
+  constexpr int kAxes = 7;
+  return (_mm_movemask_ps(beyond) & kAxes) != 0;
+#else
+  bool apart = false;
+  for (int k = 0; k < 3; ++k) apart |= lo[k] > box.hi[k] || hi[k] < box.lo[k];
+  return apart;
+#endif
+}
+
 inline double FacetBvh::FloatBox::squared_distance(const Vec3& p) const {
   double sum = 0.0;
   for (int k = 0; k < 3; ++k) {
@@ -191,18 +222,18 @@ void FacetBvh::visit_segment(const Vec3& p, const Vec3& q, const Visit& visit, i
 template <class Accept>
 bool FacetBvh::any_in_box(const Box3& box, const Accept& accept) const {
   if (root_ < 0) return false;
+  const FloatBox outer = FloatBox::around(box);
   Stack stack;
-  stack.push(root_);
+  if (!nodes_[root_].apart(outer)) stack.push(root_);
   while (stack.size > 0) {
     const Node& node = nodes_[stack.pop()];
-    if (node.apart(box)) continue;
     if (node.second >= 0) {
-      stack.push(node.second);
-      stack.push(node.first);
+      if (!nodes_[node.second].apart(outer)) stack.push(node.second);
+      if (!nodes_[node.first].apart(outer)) stack.push(node.first);
       continue;
     }
     for (std::int32_t i = node.first; i < node.first - node.second; ++i)
-      if (meets(items_[i], box) && accept(items_[i].triangle)) return true;
+      if (!items_[i].apart(outer) && meets(items_[i], box) && accept(items_[i].triangle)) return true;
   }
   return false;
 }
