@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "base/blocks.h"
 #include "mesh/circumcentre.h"
@@ -155,9 +156,12 @@ bool Band::share_a_face(ModelRef a, ModelRef b) const {
 void Band::forget_facets(const TetMesh& mesh, TetId t) {
   facets_are_current_ = false;
   facet_on_[t] = {kUnknown, kUnknown, kUnknown, kUnknown};
-  for (const TetId n : mesh.neighbours[t])
+  stale_.push_back(t);
+  for (const TetId n : mesh.neighbours[t]) {
+    stale_.push_back(n);
     for (int g = 0; g < 4; ++g)
       if (mesh.neighbours[n][g] == t) facet_on_[n][g] = kUnknown;
+  }
 }
 
 std::size_t Band::repair_singly(const TetMesh& mesh, std::span<const ModelRef> on) {
@@ -240,19 +244,45 @@ void Band::label_flat(const TetMesh& mesh, const std::vector<TetId>& flat) {
     if (region_[t] == kUnknown) region_[t] = 0;
 }
 
+void Band::list_facets(const TetMesh& mesh, TetId t, std::vector<BoundaryFacet>& found) const {
+  if (!mesh.alive(t) || region_[t] == 0) return;
+  for (std::int8_t f = 0; f < 4; ++f) {
+    const TetId n = mesh.neighbours[t][f];
+    if (region_[n] >= region_[t]) continue;
+    const auto& v = mesh.tets[t];
+    found.push_back({t, f, facet_on_[t][f], {v[kTetFace[f][0]], v[kTetFace[f][1]], v[kTetFace[f][2]]}});
+  }
+}
+
+/// The facets of all other tetrahedra are what they were, but of such as are gone.
+void Band::list_stale_facets(const TetMesh& mesh) {
+  std::sort(stale_.begin(), stale_.end());
+  stale_.erase(std::unique(stale_.begin(), stale_.end()), stale_.end());
+  std::vector<BoundaryFacet> kept, found;
+  for (const TetId t : stale_) list_facets(mesh, t, found);
+  auto stale = stale_.begin();
+  for (const BoundaryFacet& facet : facets_) {
+    while (stale != stale_.end() && *stale < facet.tet) ++stale;
+    const bool is_stale = stale != stale_.end() && *stale == facet.tet;
+    if (!is_stale && mesh.alive(facet.tet)) kept.push_back(facet);
+  }
+  facets_.clear();
+  std::merge(kept.begin(), kept.end(), found.begin(), found.end(), std::back_inserter(facets_),
+             [](const BoundaryFacet& a, const BoundaryFacet& b) { return a.tet < b.tet; });
+}
+
 const std::vector<BoundaryFacet>& Band::facets(const TetMesh& mesh, std::span<const ModelRef> on) {
+  constexpr std::size_t kManyStale = 16;  // of so many tetrahedra one: all are gone through
   if (facets_are_current_) return facets_;
   facets_are_current_ = true;
-  facets_ = collect<BoundaryFacet>(mesh.tets.size(), [&](std::size_t i, std::vector<BoundaryFacet>& found) {
-    const TetId t(i);
-    if (!mesh.alive(t) || region_[t] == 0) return;
-    for (std::int8_t f = 0; f < 4; ++f) {
-      const TetId n = mesh.neighbours[t][f];
-      if (region_[n] >= region_[t]) continue;
-      const auto& v = mesh.tets[t];
-      found.push_back({t, f, facet_on_[t][f], {v[kTetFace[f][0]], v[kTetFace[f][1]], v[kTetFace[f][2]]}});
-    }
-  });
+  if (facets_.empty() || stale_.size() > mesh.tets.size() / kManyStale) {
+    facets_ = collect<BoundaryFacet>(mesh.tets.size(), [&](std::size_t i, std::vector<BoundaryFacet>& found) {
+      list_facets(mesh, TetId(i), found);
+    });
+  } else {
+    list_stale_facets(mesh);
+  }
+  stale_.clear();
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, facets_.size(), 128), [&](const auto& range) {
     for (std::size_t i = range.begin(); i != range.end(); ++i) {
       BoundaryFacet& facet = facets_[i];

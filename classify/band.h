@@ -109,6 +109,8 @@ class Band {
   [[nodiscard]] int misfits(const TetMesh& mesh, std::span<const ModelRef> on, TetId t, int region) const;
   void move(const TetMesh& mesh, TetId t, int region);
   void forget_facets(const TetMesh& mesh, TetId t);
+  void list_facets(const TetMesh& mesh, TetId t, std::vector<BoundaryFacet>& found) const;
+  void list_stale_facets(const TetMesh& mesh);
   void label_flat(const TetMesh& mesh, const std::vector<TetId>& flat);
   [[nodiscard]] int classify_facet(const TetMesh& mesh, std::span<const ModelRef> on,
                                    const BoundaryFacet& facet, int region_behind, int region_front) const;
@@ -126,6 +128,7 @@ class Band {
   std::unordered_map<std::uint32_t, Voice> voice_;         ///< per tetrahedron of a group, until it is gone
   std::vector<BoundaryFacet> facets_;
   bool facets_are_current_ = false;
+  std::vector<TetId> stale_;  ///< since facets_ were listed: those that changed, and their neighbours
   std::vector<std::vector<int>> vertex_faces_;  ///< per model vertex tag: faces whose closure holds it
   std::vector<std::vector<int>> face_itself_;   ///< per face tag: {tag}
 };
