@@ -40,12 +40,25 @@ bool share_an_entity(const Model& model, int a, int b) {
   return false;
 }
 
-/// Whether the segment comes near no other face, and that one is a plane: then it crosses it once at most.
-bool meets_one_plane(const Model& model, int face, const Vec3& p, const Vec3& q) {
-  bool alone = std::string_view(model.surface(face).kind()) == "plane";
-  if (alone)
-    model.bvh().visit_segment(p, q, [&](std::uint32_t t) { alone &= model.facets().face[t] == face; });
-  return alone;
+/// Whether the segment comes near no other face, and goes through all facets of this one that it comes near
+/// the same way: then it crosses the face once at most, for it would have to come back to cross it again.
+bool crosses_once(const Model& model, int face, const Vec3& p, const Vec3& q) {
+  constexpr double kThrough = 0.5;  // cosine; facets are trusted to 30 degrees
+  const bool is_plane = std::string_view(model.surface(face).kind()) == "plane";
+  const Facets& facets = model.facets();
+  const Vec3 way = q - p;
+  const double length = way.norm();
+  bool alone = true, there = false, back = false;
+  model.bvh().visit_segment(p, q, [&](std::uint32_t t) {
+    alone &= facets.face[t] == face;
+    if (is_plane || !alone) return;
+    const auto [a, b, c] = facet_corners(facets, t);
+    const Vec3 normal = (b - a).cross(c - a);
+    const double along = normal.dot(way), least = kThrough * normal.norm() * length;
+    there |= !(along < -least);
+    back |= !(along > least);
+  });
+  return alone && !(there && back);
 }
 
 /// Whether the crossings are more than the one of `face`, among its neighbours at most.
@@ -86,7 +99,7 @@ std::vector<Gap> find_dual_crossings(Band& band, const TetMesh& mesh, std::span<
       const BoundaryFacet& facet = facets[n];
       if (facet.face == 0) continue;
       const DualSegment dual = dual_segment(mesh, facet.tet, facet.local);
-      if (!dual.exact || meets_one_plane(model, facet.face, dual.inner, dual.outer)) continue;
+      if (!dual.exact || crosses_once(model, facet.face, dual.inner, dual.outer)) continue;
       hits.clear();
       model.intersect(dual.inner, dual.outer, hits);
       if (!is_more_than(model, facet.face, hits)) continue;
