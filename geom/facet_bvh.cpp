@@ -6,9 +6,7 @@
 #include <oneapi/tbb/parallel_invoke.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <numeric>
 
@@ -18,18 +16,6 @@ namespace octet {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-/// The next float farther from zero, or, for `steps` = -1, nearer to it.
-float stepped(float f, int steps) { return std::bit_cast<float>(std::bit_cast<std::int32_t>(f) + steps); }
-
-/// In place of the library's nextafter, which takes ten times as long.
-float round_down(double x) {
-  const float f = static_cast<float>(x);
-  if (!(static_cast<double>(f) > x)) return f;
-  return f == 0.0f ? -std::numeric_limits<float>::denorm_min() : stepped(f, f > 0.0f ? -1 : 1);
-}
-
-float round_up(double x) { return -round_down(-x); }
 
 double half_area(const Box3& box) {
   if (box.empty()) return 0.0;
@@ -126,7 +112,7 @@ class FacetBvhBuilder {
     std::int32_t add(std::span<const Leaf> leaves, std::int32_t first, std::int32_t second) {
       Box3 box;
       for (const Leaf& l : leaves) box.add(l.box);
-      nodes.push_back({FacetBvh::FloatBox::around(box), first, second});
+      nodes.push_back({FloatBox::around(box), first, second});
       return static_cast<std::int32_t>(nodes.size() - 1);
     }
     /// Its root among the nodes here.
@@ -191,7 +177,7 @@ class FacetBvhBuilder {
     for (std::size_t i = 0; i < leaves.size(); ++i) {
       const Leaf& l = leaves[i];
       const auto& t = facets_.triangles[l.index];
-      FacetBvh::Item item{FacetBvh::FloatBox::around(l.box),
+      FacetBvh::Item item{FloatBox::around(l.box),
                           facets_.nodes[t[0]],
                           facets_.nodes[t[1]],
                           facets_.nodes[t[2]],
@@ -292,15 +278,6 @@ FacetBvh::FacetBvh(const Facets& facets, std::span<const double> grow, int faces
     : grow_(grow.begin(), grow.end()) {
   OCTET_CHECK(grow.size() == facets.triangles.size());
   FacetBvhBuilder(*this, facets, building).build(faces);
-}
-
-FacetBvh::FloatBox FacetBvh::FloatBox::around(const Box3& box) {
-  FloatBox result;
-  for (int k = 0; k < 3; ++k) {
-    result.lo[k] = round_down(box.lo[k]);
-    result.hi[k] = round_up(box.hi[k]);
-  }
-  return result;
 }
 
 FacetBvh::Probe::Probe(const Vec3& from, const Vec3& to)

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <optional>
 #include <span>
@@ -14,10 +13,7 @@
 #include <vector>
 
 #include "geom/facets.h"
-
-#ifdef __SSE2__
-#include <emmintrin.h>
-#endif
+#include "geom/float_box.h"
 
 namespace octet {
 
@@ -39,24 +35,14 @@ struct FacetFoot {
 /// Cost: 32 bytes a node, 136 bytes a triangle. Immutable, thread-safe.
 class FacetBvh {
  public:
-  /// Rounded outward.
-  struct FloatBox {
-    std::array<float, 3> lo, hi;
-    [[nodiscard]] static FloatBox around(const Box3& box);
-    [[nodiscard]] double squared_distance(const Vec3& p) const;
-    [[nodiscard]] bool apart(const Box3& box) const {
-      bool apart = false;
-      for (int k = 0; k < 3; ++k) apart |= lo[k] > box.hi[k] || hi[k] < box.lo[k];
-      return apart;
-    }
-    [[nodiscard]] bool apart(const FloatBox& box) const;
-  };
   /// A segment as boxes are asked about it.
   struct Probe {
     Probe(const Vec3& from, const Vec3& to);
     /// Whether it meets the box, as far as their extents along the axes tell.
     [[nodiscard]] bool beside(const FloatBox& b) const { return !b.apart(box); }
-    [[nodiscard]] bool meets(const FloatBox& b) const { return beside(b) && (straight || crosses(b)); }
+    [[nodiscard]] bool meets(const FloatBox& b) const {
+      return beside(b) && (straight || b.holds(box) || crosses(b));
+    }
     [[nodiscard]] bool crosses(const FloatBox& b) const;
     Vec3 p, q;
     FloatBox box;   ///< its own
@@ -162,42 +148,6 @@ class FacetBvh {
   std::int32_t root_ = -1;
   double max_grow_ = 0.0;
 };
-
-/// All axes at once, which takes half as long: it is what most of a traversal is.
-inline bool FacetBvh::FloatBox::apart(const FloatBox& box) const {
-#ifdef __SSE2__
-  static_assert(sizeof(FloatBox) == 6 * sizeof(float));
-  // Four of a box's six numbers: lo and hi[0], or, from the third on, lo[2] and hi.
-  const auto four = [](const FloatBox& b, std::size_t from) {
-    __m128 numbers;
-    std::memcpy(&numbers, reinterpret_cast<const char*>(&b) + from * sizeof(float), sizeof numbers);
-    return numbers;
-  };
-  const auto lo_of = [&](const FloatBox& b) { return four(b, 0); };
-  const auto hi_of = [&](const FloatBox& b) {
-    const __m128 last = four(b, 2);
-    return _mm_shuffle_ps(last, last, _MM_SHUFFLE(0, 3, 2, 1));
-  };
-  const __m128 beyond =
-      _mm_or_ps(_mm_cmpgt_ps(lo_of(*this), hi_of(box)), _mm_cmpgt_ps(lo_of(box), hi_of(*this)));
-  constexpr int kAxes = 7;
-  return (_mm_movemask_ps(beyond) & kAxes) != 0;
-#else
-  bool apart = false;
-  for (int k = 0; k < 3; ++k) apart |= lo[k] > box.hi[k] || hi[k] < box.lo[k];
-  return apart;
-#endif
-}
-
-inline double FacetBvh::FloatBox::squared_distance(const Vec3& p) const {
-  double sum = 0.0;
-  for (int k = 0; k < 3; ++k) {
-    const double below = static_cast<double>(lo[k]) - p[k], above = p[k] - static_cast<double>(hi[k]);
-    const double d = std::max(std::max(below, above), 0.0);
-    sum += d * d;
-  }
-  return sum;
-}
 
 template <class Visit>
 void FacetBvh::visit_segment(const Vec3& p, const Vec3& q, const Visit& visit, int but) const {

@@ -52,6 +52,28 @@ TEST(Opposite, SheetsFaceEachOtherOnWhicheverSideTheirNormalsAre) {
   }
 }
 
+TEST(Opposite, AFacingPointIsTheOppositePointWhereThatFaces) {
+  std::size_t facing = 0, others = 0;
+  for (const auto& s : test::all_samples(test::tilted_frame(), 0.05)) {
+    Dice dice(6);
+    for (int i = 0; i < 60; ++i) {
+      const auto a = s.model.closest(dice.in(s.model.box()), 1e9);
+      if (!a || a->on.dim != 2) continue;
+      for (const int side : {-1, 1})
+        for (const double reach : {0.2, 1.0, 4.0}) {
+          const auto b = opposite_point(s.model, a->point, a->face, a->normal, side, reach);
+          const auto c = facing_point(s.model, a->point, a->face, a->normal, side, reach);
+          const bool faces = b && b->on.dim == 2 && face_each_other(a->point, a->normal, *b);
+          ASSERT_EQ(c.has_value(), faces) << s.name;
+          if (faces) EXPECT_EQ(c->point, b->point) << s.name;
+          ++(faces ? facing : others);
+        }
+    }
+  }
+  EXPECT_GT(facing, 200u);
+  EXPECT_GT(others, 200u);
+}
+
 TEST(Opposite, WedgePartnerHasTheSameDistanceFromTheEdge) {
   const Frame frame = test::tilted_frame();
   for (const double degrees : {1.0, 5.0, 20.0, 60.0, 90.0}) {
