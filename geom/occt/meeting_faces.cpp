@@ -57,10 +57,13 @@ class Meeting {
     log_("imprinting faces that touch");
     const auto pairs = faces_of(touching);
     const Imprinted imprinted = imprint_faces(set_.solids, pairs);
+    const std::string done = imprinted.joined > 0
+                                 ? fmt::format("{} pair(s) were imprinted on each other", imprinted.joined)
+                                 : "they are left so, for a general fuse finds nothing there";
     set_.notes.push_back(fmt::format(
         "{} pair(s) of faces touch where they share no edge and no vertex, the first is Face {} and "
-        "Face {}; {} pair(s) were imprinted on each other",
-        touching.size(), touching.front()[0], touching.front()[1], imprinted.joined));
+        "Face {}; {}",
+        touching.size(), touching.front()[0], touching.front()[1], done));
     if (imprinted.doubles > 0)
       set_.notes.push_back(fmt::format(
           "{} piece(s) of faces lay on one another, bound nothing and were taken away", imprinted.doubles));
