@@ -5,9 +5,17 @@
 namespace octet {
 
 void add_reading_options(CLI::App& command, ReadOptions& reading) {
-  command.add_flag_callback(
+  CLI::Option* apart = command.add_flag_callback(
       "--no-fuse", [&reading] { reading.fuse = false; },
       "Keep solids that touch apart: they share no faces, and their meshes do not fit");
+  command
+      .add_option(
+          "--fuse-tolerance", reading.fuse_tolerance,
+          "Solids that overlap, or miss each other, by no more than this distance in mm touch (default: "
+          "what rounding leaves, 1e-6 of their diagonal)")
+      ->type_name("DISTANCE")
+      ->check(CLI::PositiveNumber)
+      ->excludes(apart);
   command
       .add_option(
           "--sew", reading.sew_tolerance,

@@ -8,8 +8,8 @@
 
 namespace octet {
 
-/// --no-fuse, --sew, --cap, --defeature, --read-time-limit and --read-memory-limit; they change what
-/// `reading` says.
+/// --no-fuse, --fuse-tolerance, --sew, --cap, --defeature, --read-time-limit and --read-memory-limit; they
+/// change what `reading` says.
 void add_reading_options(CLI::App& command, ReadOptions& reading);
 
 }  // namespace octet

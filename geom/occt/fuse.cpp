@@ -27,11 +27,12 @@ namespace {
 using Group = std::vector<std::size_t>;  ///< indices of solids, ascending
 
 /// Groups of at least two solids that hang together by boxes that meet, or are parted by noise.
-std::vector<Group> touching_groups(const std::vector<TopoDS_Shape>& solids, const std::vector<bool>& apart) {
+std::vector<Group> touching_groups(const std::vector<TopoDS_Shape>& solids, double noise,
+                                   const std::vector<bool>& apart) {
   std::vector<Bnd_Box> boxes;
   for (const TopoDS_Shape& solid : solids) {
     boxes.push_back(box_of(solid));
-    boxes.back().Enlarge(kRoundingShare * diagonal_of(boxes.back()));
+    boxes.back().Enlarge(std::max(noise, kRoundingShare * diagonal_of(boxes.back())));
   }
   Group lead(solids.size());
   std::iota(lead.begin(), lead.end(), std::size_t{0});
@@ -88,8 +89,9 @@ int shared_faces(const std::vector<TopoDS_Shape>& solids) {
 
 class Fuser {
  public:
-  Fuser(SolidSet& set, std::vector<KeptApart>& apart, std::vector<DoneFuse>& done)
+  Fuser(SolidSet& set, double noise, std::vector<KeptApart>& apart, std::vector<DoneFuse>& done)
       : set_(set),
+        noise_(noise),
         apart_(apart),
         done_(done),
         is_apart_(set.solids.size(), false),
@@ -100,7 +102,7 @@ class Fuser {
 
   void run() {
     keep_open_ones_apart();
-    for (const Group& group : touching_groups(set_.solids, is_apart_)) fuse(group);
+    for (const Group& group : touching_groups(set_.solids, noise_, is_apart_)) fuse(group);
     copy_those_apart();
     collect();
   }
@@ -108,7 +110,7 @@ class Fuser {
  private:
   /// What the general fuse makes of solids that are not closed harms the others.
   void keep_open_ones_apart() {
-    for (const Group& group : touching_groups(set_.solids, is_apart_))
+    for (const Group& group : touching_groups(set_.solids, noise_, is_apart_))
       for (const std::size_t i : group) {
         const EdgeUses uses = edge_uses(set_.solids[i]);
         const int open = uses.first(&Uses::open);
@@ -136,7 +138,8 @@ class Fuser {
     const auto known = std::find_if(done_.begin(), done_.end(), [&](const DoneFuse& done) {
       return std::equal(solids.begin(), solids.end(), done.solids.begin(), done.solids.end(), same);
     });
-    return known != done_.end() ? known->fuse : done_.emplace_back(DoneFuse{solids, best_fuse(solids)}).fuse;
+    return known != done_.end() ? known->fuse
+                                : done_.emplace_back(DoneFuse{solids, best_fuse(solids, noise_)}).fuse;
   }
 
   void accept(const Group& group, const GroupFuse& fuse) {
@@ -207,6 +210,7 @@ class Fuser {
   }
 
   SolidSet& set_;
+  double noise_;
   std::vector<KeptApart>& apart_;
   std::vector<DoneFuse>& done_;
   std::vector<bool> is_apart_;
@@ -216,8 +220,8 @@ class Fuser {
 
 }  // namespace
 
-void fuse_touching(SolidSet& set, std::vector<KeptApart>& apart, std::vector<DoneFuse>& done) {
-  Fuser(set, apart, done).run();
+void fuse_touching(SolidSet& set, double noise, std::vector<KeptApart>& apart, std::vector<DoneFuse>& done) {
+  Fuser(set, noise, apart, done).run();
 }
 
 }  // namespace octet

@@ -27,11 +27,12 @@ struct DoneFuse {
   std::shared_ptr<const GroupFuse> fuse;
 };
 
-/// Fuses each group of solids whose boxes meet. Solids in `apart` stay as they are, with faces, edges and
+/// Fuses each group of solids whose boxes meet. What is no thicker than `noise` (mm), or kRoundingShare of
+/// the diagonal, lies between solids by mistake. Solids in `apart` stay as they are, with faces, edges and
 /// vertices of their own; so do those that are not closed. Where a fuse leaves a solid open, two solids on
 /// one side of a face or edges that end nowhere, it is tried again with a tolerance, and then without the
 /// solids to blame, which are appended to `apart`. A group that is among `done` is not fused again; what is
 /// fused is added.
-void fuse_touching(SolidSet& set, std::vector<KeptApart>& apart, std::vector<DoneFuse>& done);
+void fuse_touching(SolidSet& set, double noise, std::vector<KeptApart>& apart, std::vector<DoneFuse>& done);
 
 }  // namespace octet

@@ -57,12 +57,12 @@ std::set<Pair> blamed_pairs(const std::vector<TopoDS_Shape>& solids,
 
 /// Pairs that no tolerance joins, though they are fused by themselves: without either nothing is wrong there.
 std::vector<FuseConflict> pairs_at_odds(const std::vector<TopoDS_Shape>& solids,
-                                        const std::vector<FuseConflict>& conflicts) {
+                                        const std::vector<FuseConflict>& conflicts, double noise) {
   const std::set<Pair> pairs = blamed_pairs(solids, conflicts);
   std::vector<FuseConflict> found;
   if (pairs.size() > kMostPairs) return found;
   for (const Pair& pair : pairs) {
-    const auto fuse = best_fuse({solids[pair[0]], solids[pair[1]]});
+    const auto fuse = best_fuse({solids[pair[0]], solids[pair[1]]}, noise);
     if (fuse->failed())
       found.push_back({pair, middle_of(solids[pair[0]]), "the general fuse failed"});
     else if (!fuse->sound())
@@ -73,17 +73,16 @@ std::vector<FuseConflict> pairs_at_odds(const std::vector<TopoDS_Shape>& solids,
 
 class Attempts {
  public:
-  explicit Attempts(const std::vector<TopoDS_Shape>& solids)
+  Attempts(const std::vector<TopoDS_Shape>& solids, double noise)
       : solids_(solids),
+        noise_(noise),
         diagonal_(diagonal_of_all(solids)),
+        thin_(std::max(noise, kRoundingShare * diagonal_)),
         contacts_(contacts_of(solids, kContactShare * diagonal_)) {}
 
   std::unique_ptr<GroupFuse> run() {
-    double smallest = diagonal_;
-    for (const TopoDS_Shape& solid : solids_) smallest = std::min(smallest, diagonal_of(box_of(solid)));
     double last = -1.0;
-    for (const Step& step : kSteps) {
-      const double tolerance = std::min(step.of_all * diagonal_, step.of_smallest * smallest);
+    for (const double tolerance : tolerances()) {
       if (tolerance <= last) continue;
       last = tolerance;
       if (best_ && is_clean_but_for_gaps() && tolerance < best_->near().narrowest) continue;
@@ -95,6 +94,17 @@ class Attempts {
   }
 
  private:
+  /// Ascending, some twice.
+  [[nodiscard]] std::vector<double> tolerances() const {
+    double smallest = diagonal_;
+    for (const TopoDS_Shape& solid : solids_) smallest = std::min(smallest, diagonal_of(box_of(solid)));
+    std::vector<double> all{noise_};
+    for (const Step& step : kSteps)
+      all.push_back(std::min(step.of_all * diagonal_, step.of_smallest * smallest));
+    std::sort(all.begin(), all.end());
+    return all;
+  }
+
   [[nodiscard]] bool is_clean_but_for_gaps() const {
     return best_->sound() && best_->thin_pieces() + best_->slivers() == 0;
   }
@@ -107,30 +117,31 @@ class Attempts {
   /// Whether some of the solids cannot be joined by themselves; then they are what is told of the group.
   bool is_hopeless() {
     if (best_->sound() || best_->failed() || solids_.size() < 3) return false;
-    std::vector<FuseConflict> odds = pairs_at_odds(solids_, best_->conflicts());
+    std::vector<FuseConflict> odds = pairs_at_odds(solids_, best_->conflicts(), noise_);
     if (odds.empty()) return false;
     best_->blame(std::move(odds));
     return true;
   }
 
   bool attempt(const std::vector<TopoDS_Edge>& contacts, double tolerance) {
-    auto fuse = std::make_unique<GroupFuse>(solids_, contacts, tolerance, kRoundingShare * diagonal_);
+    auto fuse = std::make_unique<GroupFuse>(solids_, contacts, tolerance, thin_);
     const bool sound = fuse->sound();
-    const bool counts = tolerance <= kRoundingShare * diagonal_ || badness(*fuse) == Badness{};
+    const bool counts = tolerance <= thin_ || badness(*fuse) == Badness{};
     if (!best_ || (counts && badness(*fuse) < badness(*best_))) best_ = std::move(fuse);
     return sound;
   }
 
   const std::vector<TopoDS_Shape>& solids_;
-  double diagonal_;
+  double noise_, diagonal_;
+  double thin_;  ///< what is thinner is there by mistake
   std::vector<TopoDS_Edge> contacts_;
   std::unique_ptr<GroupFuse> best_;
 };
 
 }  // namespace
 
-std::unique_ptr<GroupFuse> best_fuse(const std::vector<TopoDS_Shape>& solids) {
-  return Attempts(solids).run();
+std::unique_ptr<GroupFuse> best_fuse(const std::vector<TopoDS_Shape>& solids, double noise) {
+  return Attempts(solids, noise).run();
 }
 
 }  // namespace octet

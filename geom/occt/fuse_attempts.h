@@ -14,6 +14,8 @@ namespace octet {
 /// that with the fewest. Circles of contact are left away where the fuse gets worse by them. Of more than two
 /// solids whose first fuse has conflicts, those at odds are fused by themselves, two at a time, which costs
 /// less than the whole group: where no tolerance joins the two, none is tried on the group.
-[[nodiscard]] std::unique_ptr<GroupFuse> best_fuse(const std::vector<TopoDS_Shape>& solids);
+/// `noise` (mm): a tolerance, too, where it is more than what is tried else, and what is thinner counts as
+/// thin.
+[[nodiscard]] std::unique_ptr<GroupFuse> best_fuse(const std::vector<TopoDS_Shape>& solids, double noise);
 
 }  // namespace octet

@@ -47,7 +47,7 @@ const char* meaning_of(std::string_view alert) {
   return nullptr;
 }
 
-/// What a tolerance should have joined is no farther apart than this many of it.
+/// What a tolerance that is more than noise should have joined is no farther apart than this many of it.
 constexpr double kFartherApart = 4.0;
 
 bool is_inside(TopAbs_Orientation way) { return way == TopAbs_INTERNAL || way == TopAbs_EXTERNAL; }
@@ -175,7 +175,7 @@ GroupFuse::GroupFuse(const std::vector<TopoDS_Shape>& solids, const std::vector<
   drop_loose_parts(solids, images_, history_);
   find_conflicts(solids);
   count_thin_pieces(thin);
-  find_near_faces(std::max(thin, kFartherApart * tolerance));
+  find_near_faces(tolerance > thin ? kFartherApart * tolerance : thin);
   find_pieces(solids);
   judge_face_pieces(solids, thin);
   find_torn_edges(solids, thin);

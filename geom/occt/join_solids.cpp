@@ -84,7 +84,7 @@ class Joiner {
     joined_ = {healed_.solids, new BRepTools_History(), {}};
     if (options_.fuse && healed_.solids.size() > 1) {
       log_(fmt::format("fusing {} solid(s) that may touch", healed_.solids.size()));
-      fuse_touching(joined_, apart_, fuses_);
+      fuse_touching(joined_, options_.fuse_tolerance, apart_, fuses_);
     }
     SolidSet all{joined_.solids, new BRepTools_History(), healed_.notes, healed_.caps};
     all.history->Merge(healed_.history);

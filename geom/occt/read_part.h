@@ -20,7 +20,7 @@ struct ReadOptions {
   /// named "cap 1", "cap 2", ... and listed in the model's notes.
   bool cap = false;
   /// Edges no longer, and faces, spikes and slits no wider than this (mm) are taken away where that leaves
-  /// the part closed, and listed in the model's notes. What rounding leaves (1e-7 of a solid's diagonal)
+  /// the part closed, and listed in the model's notes. What rounding leaves (1e-6 of a solid's diagonal)
   /// always is.
   double smallest_feature = 0.0;
   /// OCCT may hang, crash or take all memory on a damaged part: it works in a child process, so that this one
@@ -33,6 +33,9 @@ struct ReadOptions {
   /// is not isolated, and a note of the model says so.
   std::filesystem::path reader_program;
   bool fuse = true;  ///< solids that touch share faces, edges and vertices; else each keeps its own
+  /// Solids that overlap, or miss each other, by no more than this (mm) are taken to touch. 0: what rounding
+  /// leaves (1e-6 of the diagonal of those that touch).
+  double fuse_tolerance = 0.0;
 };
 
 /// Reads STEP (AP203, AP214, AP242), IGES or OCCT BREP, told by content, not by suffix.

@@ -189,7 +189,7 @@ TEST(CommonFaces, ASolidKeptApartLeavesTheCommonFaceToTheOther) {
   std::vector<DoneFuse> done;
   const ShapeMaps before(compound_of(set.solids));
   SolidSet fused{set.solids, new BRepTools_History(), {}};
-  fuse_touching(fused, apart, done);
+  fuse_touching(fused, 0.0, apart, done);
   const ShapeMaps now(compound_of(fused.solids));
   EXPECT_EQ(now.of[2].Extent(), 12);
   int twice = 0;

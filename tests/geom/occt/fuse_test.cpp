@@ -56,7 +56,7 @@ TopoDS_Shape open_box(double x0, double x1) {
 
 void fuse(SolidSet& set, std::vector<KeptApart>& apart) {
   std::vector<DoneFuse> none;
-  fuse_touching(set, apart, none);
+  fuse_touching(set, 0.0, apart, none);
 }
 
 SolidSet set_of(const std::vector<TopoDS_Shape>& solids) { return {solids, new BRepTools_History(), {}}; }
@@ -125,6 +125,29 @@ TEST(Fuse, AGapThatIsMoreThanNoiseStays) {
   const Model model = model_from_shape(compound_of({large, far}));
   EXPECT_FALSE(has_note(model, "were fused with a tolerance of"));
   EXPECT_EQ(model.count(2), 12) << "six of either";
+}
+
+TEST(Fuse, TheToleranceAskedForJoinsWhatOverlapsOrIsApart) {
+  ReadOptions options;
+  options.fuse_tolerance = 0.02;
+  const auto read = [&](double x) { return model_from_shape(compound_of({box(0, 1), box(x, 2)}), options); };
+  for (const double x : {0.99, 1.0, 1.01}) {
+    const Model model = read(x);
+    EXPECT_EQ(model.count(3), 2) << x;
+    EXPECT_EQ(model.count(2), 11) << x;
+    EXPECT_EQ(check_model(model), "") << x;
+    EXPECT_EQ(has_note(model, "were fused with a tolerance of 0.02 mm"), x != 1.0) << x;
+  }
+  EXPECT_EQ(read(0.9).count(3), 3) << "an overlap";
+  EXPECT_EQ(read(1.1).count(2), 12) << "a gap";
+}
+
+TEST(Fuse, AGapAskedForIsClosedBesideAWiderOne) {
+  ReadOptions options;
+  options.fuse_tolerance = 0.02;
+  const TopoDS_Shape row = compound_of({box(0, 1), box(1.01, 2), box(2.05, 3)});
+  EXPECT_EQ(model_from_shape(row, options).count(2), 17) << "one of the two pairs of sides";
+  EXPECT_EQ(model_from_shape(row).count(2), 18);
 }
 
 TEST(Fuse, AThickerOverlapStaysARegion) {
@@ -266,13 +289,13 @@ TEST(Fuse, WhatHasBeenFusedIsNotFusedAgain) {
   std::vector<DoneFuse> done;
   std::vector<KeptApart> apart;
   SolidSet first = set_of(solids), again = set_of(solids), without = set_of(solids);
-  fuse_touching(first, apart, done);
+  fuse_touching(first, 0.0, apart, done);
   ASSERT_EQ(done.size(), 2u);
-  fuse_touching(again, apart, done);
+  fuse_touching(again, 0.0, apart, done);
   EXPECT_EQ(done.size(), 2u);
   EXPECT_EQ(faces_in(again.solids), faces_in(first.solids));
   apart.push_back({4, 4, Vec3::Zero(), "test"});
-  fuse_touching(without, apart, done);
+  fuse_touching(without, 0.0, apart, done);
   EXPECT_EQ(done.size(), 3u) << "the group with the last solid only";
   EXPECT_EQ(faces_in(without.solids), faces_in(first.solids) + 1);
 }
