@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <mutex>
 
 #include "geom/occt/common_faces.h"
@@ -28,6 +29,20 @@ std::string solid_text(const ModelParts& parts, int number) {
   return name.empty() ? fmt::format("Solid {}", number) : fmt::format("Solid {} \"{}\"", number, name);
 }
 
+/// What joins solids that overlap in a thin region, in words; empty where it is none. Of a plate twice the
+/// volume over the surface is the thickness, of a wedge half the greatest.
+std::string advice_for_overlap(const ModelParts& parts, int region) {
+  constexpr double kThin = 1e-4;  // of the region's reach
+  constexpr double kReserve = 4.0;
+  const ModelRegion& overlap = parts.regions[static_cast<std::size_t>(region)];
+  double area = 0.0;
+  for (const int face : overlap.faces) area += parts.faces[static_cast<std::size_t>(face)].area;
+  const double thickness = 2.0 * overlap.volume / area;
+  if (!(thickness < kThin * std::sqrt(area))) return {};
+  return fmt::format(", {:.2g} mm thick: --fuse-tolerance {:.2g} takes it away where it is not meant",
+                     thickness, kReserve * thickness);
+}
+
 /// Pieces that two solids of the file both fill, the largest first.
 void note_overlaps(ModelParts& parts) {
   std::vector<Overlap> found = overlaps(parts.provenance, static_cast<int>(parts.regions.size()) - 1);
@@ -41,8 +56,9 @@ void note_overlaps(ModelParts& parts) {
     std::string solids;
     for (const int number : found[i].solids)
       solids += (solids.empty() ? "" : " and ") + solid_text(parts, number);
-    parts.notes.push_back(fmt::format("{} overlap: what they share is Region {}, {:.6g} mm^3", solids,
-                                      found[i].region, volume(found[i])));
+    parts.notes.push_back(fmt::format("{} overlap: what they share is Region {}, {:.6g} mm^3{}", solids,
+                                      found[i].region, volume(found[i]),
+                                      advice_for_overlap(parts, found[i].region)));
   }
   if (found.size() > kTold)
     parts.notes.push_back(fmt::format("and {} more overlaps of solids", found.size() - kTold));

@@ -142,6 +142,22 @@ TEST(Fuse, TheToleranceAskedForJoinsWhatOverlapsOrIsApart) {
   EXPECT_EQ(read(1.1).count(2), 12) << "a gap";
 }
 
+TEST(Fuse, AThinOverlapTellsTheToleranceThatTakesItAway) {
+  const auto read = [](double overlap, const ReadOptions& options = {}) {
+    const TopoDS_Shape low = BRepPrimAPI_MakeBox(100.0, 100.0, 5.0).Shape();
+    const TopoDS_Shape high = BRepPrimAPI_MakeBox(gp_Pnt(20, 20, 5 - overlap), gp_Pnt(60, 60, 30)).Shape();
+    return model_from_shape(compound_of({low, high}), options);
+  };
+  const std::string note = note_with(read(2e-3), "Solid 1 and Solid 2 overlap");
+  EXPECT_NE(note.find("0.002 mm thick: --fuse-tolerance 0.008"), std::string::npos) << note;
+  ReadOptions options;
+  options.fuse_tolerance = 0.008;
+  EXPECT_EQ(read(2e-3, options).count(3), 2);
+  const std::string thick = note_with(read(1.0), "Solid 1 and Solid 2 overlap");
+  EXPECT_EQ(thick.find("--fuse-tolerance"), std::string::npos) << thick;
+  EXPECT_FALSE(thick.empty());
+}
+
 TEST(Fuse, AGapAskedForIsClosedBesideAWiderOne) {
   ReadOptions options;
   options.fuse_tolerance = 0.02;
