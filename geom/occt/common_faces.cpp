@@ -25,6 +25,7 @@
 #include <utility>
 
 #include "geom/occt/edge_uses.h"
+#include "geom/occt/gathered.h"
 #include "geom/occt/like_faces.h"
 #include "geom/occt/same_place.h"
 #include "geom/occt/sub_shapes.h"
@@ -120,10 +121,9 @@ bool is_closed(const TopoDS_Shape& solid) { return edge_uses(solid).first(&Uses:
 /// they share they share still.
 void copy_at(const TopLoc_Location& place, std::vector<TopoDS_Shape>& solids,
              const std::vector<std::size_t>& of, BRepTools_History& history) {
-  const BRep_Builder builder;
-  TopoDS_Compound all;
-  builder.MakeCompound(all);
-  for (const std::size_t i : of) builder.Add(all, solids[i].Located(TopLoc_Location()));
+  std::vector<TopoDS_Shape> unplaced;
+  for (const std::size_t i : of) unplaced.push_back(solids[i].Located(TopLoc_Location()));
+  const TopoDS_Compound all = compound_of(unplaced);
   BRepBuilderAPI_Transform copy(all, place.Transformation(), true);
   for (const TopAbs_ShapeEnum type : {TopAbs_SOLID, TopAbs_FACE, TopAbs_EDGE, TopAbs_VERTEX}) {
     const TopTools_IndexedMapOfShape map = sub_shapes(all, type);

@@ -2,7 +2,6 @@
 // A shell of the parts takes the face's place.
 #include "geom/occt/face_parts.h"
 
-#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2d_Curve.hxx>
 #include <TopTools_ListOfShape.hxx>
@@ -10,6 +9,8 @@
 #include <TopoDS_Shell.hxx>
 
 #include <utility>
+
+#include "geom/occt/gathered.h"
 
 namespace octet {
 
@@ -24,11 +25,7 @@ void FaceParts::part(const TopoDS_Face& face,
   const TopoDS_Face whole = TopoDS::Face(now.First().Oriented(TopAbs_FORWARD));
   const std::vector<TopoDS_Face> parts = parts_of(whole);
   if (parts.size() < 2) return;
-  const BRep_Builder builder;
-  TopoDS_Shell shell;
-  builder.MakeShell(shell);
-  for (const TopoDS_Face& part : parts) builder.Add(shell, part);
-  changes_->Replace(whole, shell);
+  changes_->Replace(whole, shell_of(parts));
   parted_.push_back(face);
 }
 

@@ -13,14 +13,15 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "geom/occt/shape_measures.h"
+
 namespace octet {
 namespace {
 
 double width_of(const TopoDS_Face& face) {
-  GProp_GProps area, perimeter;
-  BRepGProp::SurfaceProperties(face, area);
+  GProp_GProps perimeter;
   BRepGProp::LinearProperties(face, perimeter);
-  return 2.0 * area.Mass() / perimeter.Mass();
+  return 2.0 * area_of(face) / perimeter.Mass();
 }
 
 }  // namespace

@@ -4,9 +4,7 @@
 
 #include <fmt/format.h>
 
-#include <BRepGProp.hxx>
 #include <BRep_Tool.hxx>
-#include <GProp_GProps.hxx>
 #include <Message_Alert.hxx>
 #include <Message_Report.hxx>
 #include <TopExp.hxx>
@@ -30,7 +28,7 @@
 #include "geom/occt/half_cuts.h"
 #include "geom/occt/loose_parts.h"
 #include "geom/occt/shape_box.h"
-#include "geom/occt/shape_volume.h"
+#include "geom/occt/shape_measures.h"
 #include "geom/occt/torn_edges.h"
 
 namespace octet {
@@ -119,11 +117,7 @@ class Owners {
 };
 
 /// Twice the volume over the surface: of a plate that is its thickness.
-double thickness_of(const TopoDS_Shape& solid) {
-  GProp_GProps area;
-  BRepGProp::SurfaceProperties(solid, area);
-  return 2.0 * std::abs(volume_of(solid)) / area.Mass();
-}
+double thickness_of(const TopoDS_Shape& solid) { return 2.0 * std::abs(volume_of(solid)) / area_of(solid); }
 
 /// The edges that end at each vertex.
 TopTools_IndexedDataMapOfShapeListOfShape edges_of_vertices(const std::vector<TopoDS_Shape>& shapes) {

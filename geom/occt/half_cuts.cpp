@@ -25,8 +25,6 @@ namespace {
 /// Directions nearer to the face than this sine run along it: they tell of no side.
 constexpr double kLeastSine = 1e-3;
 
-Vec3 to_unit(const gp_Vec& v) { return Vec3(v.X(), v.Y(), v.Z()).normalized(); }
-
 /// Unit normal of the face's surface in the middle of an edge of it; none where it has none.
 std::optional<Vec3> normal_at_middle(const TopoDS_Edge& edge, const TopoDS_Face& face) {
   double first = 0.0, last = 0.0;
@@ -38,7 +36,7 @@ std::optional<Vec3> normal_at_middle(const TopoDS_Edge& edge, const TopoDS_Face&
   BRepAdaptor_Surface(face, false).D1(uv.X(), uv.Y(), point, du, dv);
   const gp_Vec normal = du.Crossed(dv);
   if (!(normal.Magnitude() > 0.0)) return std::nullopt;
-  return to_unit(normal);
+  return to_vec(normal).normalized();
 }
 
 /// Middle and unit tangent of an edge's curve.
@@ -52,7 +50,7 @@ std::optional<Middle> middle_along(const TopoDS_Edge& edge) {
   gp_Vec tangent;
   curve.D1(0.5 * (curve.FirstParameter() + curve.LastParameter()), point, tangent);
   if (!(tangent.Magnitude() > 0.0)) return std::nullopt;
-  return Middle{to_vec(point), to_unit(tangent)};
+  return Middle{to_vec(point), to_vec(tangent).normalized()};
 }
 
 /// Whether the faces around the edge go on beyond both sides of a face with this normal.

@@ -24,7 +24,7 @@
 #include "geom/occt/rings.h"
 #include "geom/occt/sew.h"
 #include "geom/occt/shape_box.h"
-#include "geom/occt/shape_volume.h"
+#include "geom/occt/shape_measures.h"
 #include "geom/occt/short_edges.h"
 #include "geom/occt/strips.h"
 #include "geom/occt/touched_edges.h"

@@ -4,10 +4,10 @@
 
 #include <fmt/format.h>
 
-#include <BRep_Builder.hxx>
 #include <TopTools_ListOfShape.hxx>
-#include <TopoDS_Compound.hxx>
 #include <algorithm>
+
+#include "geom/occt/gathered.h"
 
 namespace octet {
 namespace {
@@ -19,13 +19,7 @@ struct Trace {
   std::vector<std::vector<int>> images, sources;
 };
 
-ShapeMaps maps_of(const std::vector<TopoDS_Shape>& solids) {
-  TopoDS_Compound all;
-  BRep_Builder builder;
-  builder.MakeCompound(all);
-  for (const TopoDS_Shape& solid : solids) builder.Add(all, solid);
-  return ShapeMaps(all);
-}
+ShapeMaps maps_of(const std::vector<TopoDS_Shape>& solids) { return ShapeMaps(compound_of(solids)); }
 
 Trace trace(const TopTools_IndexedMapOfShape& as_read, const TopTools_IndexedMapOfShape& final,
             const SolidSet& set) {

@@ -58,7 +58,7 @@ std::optional<bool> samples_lie_on(const std::vector<FaceSample>& samples, const
     if (foot.Distance(point) > near || inside.Perform(uv) == TopAbs_OUT) return std::nullopt;
     const gp_Vec normal = du.Crossed(dv);
     const double turned = other.Orientation() == TopAbs_REVERSED ? -1.0 : 1.0;
-    with += turned * Vec3(normal.X(), normal.Y(), normal.Z()).dot(sample.normal) > 0.0 ? 1 : 0;
+    with += turned * to_vec(normal).dot(sample.normal) > 0.0 ? 1 : 0;
   }
   if (samples.empty() || (with != 0 && with != samples.size())) return std::nullopt;
   return with != 0;

@@ -3,11 +3,9 @@
 #include "geom/occt/sew.h"
 
 #include <BRepBuilderAPI_Sewing.hxx>
-#include <BRepGProp.hxx>
 #include <BRepLib.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
-#include <GProp_GProps.hxx>
 #include <ShapeFix_Shell.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -22,19 +20,12 @@
 #include <utility>
 
 #include "geom/occt/free_edges.h"
+#include "geom/occt/gathered.h"
 #include "geom/occt/shape_box.h"
-#include "geom/occt/shape_volume.h"
+#include "geom/occt/shape_measures.h"
 
 namespace octet {
 namespace {
-
-TopoDS_Compound compound_of(const std::vector<TopoDS_Shape>& shapes) {
-  const BRep_Builder builder;
-  TopoDS_Compound all;
-  builder.MakeCompound(all);
-  for (const TopoDS_Shape& shape : shapes) builder.Add(all, shape);
-  return all;
-}
 
 TopoDS_Shape solid_from_shell(const TopoDS_Shape& shell) {
   TopoDS_Solid solid;
@@ -75,12 +66,8 @@ Sewn sewn_within(const TopoDS_Compound& compound, double tolerance) {
 
 /// The faces, sorted into shells that hang together and are turned alike.
 TopoDS_Shape shells_of(const std::vector<TopoDS_Shape>& faces) {
-  const BRep_Builder builder;
-  TopoDS_Shell all;
-  builder.MakeShell(all);
-  for (const TopoDS_Shape& face : faces) builder.Add(all, face);
   ShapeFix_Shell fix;
-  fix.FixFaceOrientation(all);
+  fix.FixFaceOrientation(shell_of(faces));
   return fix.Shape();
 }
 
@@ -96,9 +83,7 @@ void widen(const Cap& cap) {
 
 /// A shell that encloses nothing, but for its tolerance.
 bool is_flat(const TopoDS_Shape& shell, double tolerance) {
-  GProp_GProps properties;
-  BRepGProp::SurfaceProperties(shell, properties);
-  return std::abs(volume_of(shell)) <= tolerance * std::abs(properties.Mass());
+  return std::abs(volume_of(shell)) <= tolerance * std::abs(area_of(shell));
 }
 
 TopTools_MapOfShape faces_in(const std::vector<TopoDS_Shape>& shapes) {

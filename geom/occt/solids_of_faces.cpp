@@ -14,7 +14,7 @@
 
 #include <numeric>
 
-#include "geom/occt/shape_volume.h"
+#include "geom/occt/shape_measures.h"
 
 namespace octet {
 namespace {

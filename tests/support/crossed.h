@@ -28,7 +28,7 @@
 #include <cmath>
 #include <vector>
 
-#include "geom/occt/shape_volume.h"
+#include "geom/occt/shape_measures.h"
 
 namespace octet::test {
 

@@ -24,11 +24,11 @@
 #include <set>
 
 #include "base/error.h"
-#include "compound_of.h"
 #include "geom/model_check.h"
 #include "geom/occt/assemble.h"
 #include "geom/occt/free_edges.h"
 #include "geom/occt/from_shape.h"
+#include "geom/occt/gathered.h"
 #include "tests/support/notes.h"
 
 namespace octet::test {
@@ -50,14 +50,6 @@ std::vector<TopoDS_Shape> faces_without(const TopoDS_Shape& shape, const std::se
   for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next())
     if (missing.count(++number) == 0) faces.push_back(it.Current());
   return faces;
-}
-
-TopoDS_Shell shell_of(const std::vector<TopoDS_Shape>& faces) {
-  const BRep_Builder builder;
-  TopoDS_Shell shell;
-  builder.MakeShell(shell);
-  for (const TopoDS_Shape& face : faces) builder.Add(shell, face);
-  return shell;
 }
 
 /// A box 1 x 2 x 3 without some faces: 1 and 2 are x = 0 and 1, 5 and 6 are z = 0 and 3.

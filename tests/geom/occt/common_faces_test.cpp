@@ -31,9 +31,9 @@
 #include "geom/model_check.h"
 #include "geom/occt/from_shape.h"
 #include "geom/occt/fuse.h"
-#include "geom/occt/shape_volume.h"
+#include "geom/occt/gathered.h"
+#include "geom/occt/shape_measures.h"
 #include "geom/occt/sub_shapes.h"
-#include "tests/geom/occt/compound_of.h"
 #include "tests/support/notes.h"
 
 namespace octet::test {
@@ -169,13 +169,9 @@ TEST(CommonFaces, WhatIsFartherThanTolerancesIsNotAlike) {
 
 TEST(CommonFaces, ASolidThatIsNotClosedStaysAsItIs) {
   const ShapeMaps whole(box(1, 2));
-  const BRep_Builder builder;
-  TopoDS_Shell shell;
-  builder.MakeShell(shell);
-  for (int i = 1; i < whole.of[2].Extent(); ++i) builder.Add(shell, whole.of[2](i));
-  TopoDS_Solid open;
-  builder.MakeSolid(open);
-  builder.Add(open, shell);
+  std::vector<TopoDS_Shape> faces;
+  for (int i = 1; i < whole.of[2].Extent(); ++i) faces.push_back(whole.of[2](i));
+  const TopoDS_Solid open = solid_of(faces);
   SolidSet set{{box(0, 1), open}, new BRepTools_History(), {}};
   join_common_faces(set);
   EXPECT_TRUE(set.notes.empty());
@@ -183,7 +179,6 @@ TEST(CommonFaces, ASolidThatIsNotClosedStaysAsItIs) {
 }
 
 TEST(CommonFaces, ASolidKeptApartLeavesTheCommonFaceToTheOther) {
-  // Their common face is one before the fuse, which the third solid, not closed, takes no part in.
   SolidSet set = join({box(0, 1), box(1, 2)}).set;
   std::vector<KeptApart> apart{{1, 1, Vec3::Zero(), "test"}};
   std::vector<DoneFuse> done;

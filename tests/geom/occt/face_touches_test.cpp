@@ -9,8 +9,8 @@
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <gp_Ax2.hxx>
 
-#include "compound_of.h"
 #include "geom/occt/from_shape.h"
+#include "geom/occt/gathered.h"
 
 namespace octet {
 namespace {

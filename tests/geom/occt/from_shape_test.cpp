@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Shapes in memory: what is mended, what is refused.
 #include "geom/occt/from_shape.h"
+#include "geom/occt/gathered.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +17,6 @@
 #include <TopoDS.hxx>
 
 #include "base/error.h"
-#include "compound_of.h"
 #include "tests/support/notes.h"
 
 namespace octet {

@@ -27,9 +27,9 @@
 #include "base/error.h"
 #include "geom/model_check.h"
 #include "geom/occt/from_shape.h"
+#include "geom/occt/gathered.h"
 #include "geom/occt/sub_shapes.h"
 #include "geom/tiny_features.h"
-#include "tests/geom/occt/compound_of.h"
 #include "tests/support/notes.h"
 
 namespace octet::test {
@@ -41,17 +41,10 @@ TopoDS_Shape box(double x0, double x1) {
 
 /// A box without its last face.
 TopoDS_Shape open_box(double x0, double x1) {
-  const BRep_Builder builder;
-  TopoDS_Shell shell;
-  builder.MakeShell(shell);
   std::vector<TopoDS_Shape> faces;
   for (TopExp_Explorer it(box(x0, x1), TopAbs_FACE); it.More(); it.Next()) faces.push_back(it.Current());
   faces.pop_back();
-  for (const TopoDS_Shape& face : faces) builder.Add(shell, face);
-  TopoDS_Solid solid;
-  builder.MakeSolid(solid);
-  builder.Add(solid, shell);
-  return solid;
+  return solid_of(faces);
 }
 
 void fuse(SolidSet& set, std::vector<KeptApart>& apart) {

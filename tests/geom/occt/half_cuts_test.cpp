@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // An edge inside a face is a half cut where another solid goes on beyond both of the face's sides.
 #include "geom/occt/half_cuts.h"
+#include "geom/occt/gathered.h"
 
 #include <gtest/gtest.h>
 
@@ -18,8 +19,6 @@
 #include <gp_Pln.hxx>
 
 #include <array>
-
-#include "tests/geom/occt/compound_of.h"
 
 namespace octet::test {
 namespace {

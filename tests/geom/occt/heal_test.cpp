@@ -38,6 +38,7 @@
 #include "base/error.h"
 #include "geom/model_check.h"
 #include "geom/occt/from_shape.h"
+#include "geom/occt/gathered.h"
 #include "geom/occt/read_part.h"
 #include "tests/support/notes.h"
 #include "tests/support/with_void.h"
@@ -52,17 +53,6 @@ std::vector<TopoDS_Face> faces_of(const TopoDS_Shape& shape) {
   for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next())
     faces.push_back(TopoDS::Face(it.Current()));
   return faces;
-}
-
-TopoDS_Shape solid_of(const std::vector<TopoDS_Face>& faces) {
-  const BRep_Builder builder;
-  TopoDS_Shell shell;
-  builder.MakeShell(shell);
-  for (const TopoDS_Face& face : faces) builder.Add(shell, face);
-  TopoDS_Solid solid;
-  builder.MakeSolid(solid);
-  builder.Add(solid, shell);
-  return solid;
 }
 
 /// The faces of a box, each moved away from its centre.

@@ -32,7 +32,7 @@
 #include <numbers>
 
 #include "base/error.h"
-#include "compound_of.h"
+#include "geom/occt/gathered.h"
 #include "geom/opposite.h"
 #include "variants.h"
 

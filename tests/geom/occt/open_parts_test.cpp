@@ -10,8 +10,8 @@
 #include <string>
 
 #include "base/error.h"
-#include "compound_of.h"
 #include "geom/occt/assemble.h"
+#include "geom/occt/gathered.h"
 
 namespace octet {
 namespace {

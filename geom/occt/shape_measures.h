@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Volumes of OCCT shapes.
+// Volumes and areas of OCCT shapes.
 #pragma once
 
 #include <BRepGProp.hxx>
@@ -13,6 +13,12 @@ namespace octet {
 [[nodiscard]] inline double volume_of(const TopoDS_Shape& shape) {
   GProp_GProps properties;
   BRepGProp::VolumeProperties(shape, properties);
+  return properties.Mass();
+}
+
+[[nodiscard]] inline double area_of(const TopoDS_Shape& shape) {
+  GProp_GProps properties;
+  BRepGProp::SurfaceProperties(shape, properties);
   return properties.Mass();
 }
 
