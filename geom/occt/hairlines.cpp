@@ -4,10 +4,14 @@
 
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom2d_Curve.hxx>
+#include <Precision.hxx>
 #include <ShapeBuild_ReShape.hxx>
+#include <ShapeFix_Edge.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopTools_ListOfShape.hxx>
 #include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
@@ -18,17 +22,53 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
+#include <vector>
 
 #include "geom/occt/edge_distance.h"
+#include "geom/occt/sub_shapes.h"
 
 namespace octet {
 namespace {
 
-bool joins_the_same(const TopoDS_Edge& a, const TopoDS_Edge& b) {
-  TopoDS_Vertex a0, a1, b0, b1;
-  TopExp::Vertices(a, a0, a1, true);
-  TopExp::Vertices(b, b0, b1, true);
-  return !a0.IsNull() && !a1.IsNull() && !a0.IsSame(a1) && a0.IsSame(b1) && a1.IsSame(b0);
+/// A side as its loop runs along it, between two vertices of the face by number; 0: it has none.
+struct Side {
+  TopoDS_Edge edge;
+  int from = 0, to = 0;
+};
+using Loop = std::vector<Side>;
+
+bool joins_the_same(const Side& a, const Side& b) {
+  return a.from != 0 && a.to != 0 && a.from != a.to && a.from == b.to && a.to == b.from;
+}
+
+/// Whether one can go from any of the sides to any other by the vertices that they share.
+bool hang_together(const Loop& sides) {
+  if (sides.empty()) return false;
+  std::set<int> reached{sides.front().from};
+  for (std::size_t before = 0; before != reached.size();) {
+    before = reached.size();
+    for (const Side& side : sides)
+      if (reached.contains(side.from) || reached.contains(side.to)) reached.insert({side.from, side.to});
+  }
+  return std::all_of(sides.begin(), sides.end(),
+                     [&](const Side& side) { return reached.contains(side.from); });
+}
+
+/// The loops `one` and `other`, or the one loop that both are, without their sides i and j. What came before
+/// either goes on with what came behind the other.
+Loop without(const Loop& one, std::size_t i, const Loop& other, std::size_t j) {
+  Loop rest(one.begin(), one.begin() + static_cast<std::ptrdiff_t>(i));
+  const auto at = static_cast<std::ptrdiff_t>(j);
+  if (&one == &other) {
+    rest.insert(rest.end(), one.begin() + static_cast<std::ptrdiff_t>(i) + 1, one.begin() + at);
+    rest.insert(rest.end(), one.begin() + at + 1, one.end());
+    return rest;
+  }
+  rest.insert(rest.end(), other.begin() + at + 1, other.end());
+  rest.insert(rest.end(), other.begin(), other.begin() + at);
+  rest.insert(rest.end(), one.begin() + static_cast<std::ptrdiff_t>(i) + 1, one.end());
+  return rest;
 }
 
 class Closer {
@@ -39,11 +79,8 @@ class Closer {
 
   Repair run() {
     Repair result = no_repair(solid_);
-    for (TopExp_Explorer it(solid_, TopAbs_FACE); it.More(); it.Next()) {
-      const TopoDS_Face face = TopoDS::Face(it.Current().Oriented(TopAbs_FORWARD));
-      for (TopExp_Explorer wires(face, TopAbs_WIRE); wires.More(); wires.Next())
-        close(TopoDS::Wire(wires.Current()));
-    }
+    for (TopExp_Explorer it(solid_, TopAbs_FACE); it.More(); it.Next())
+      close(TopoDS::Face(it.Current().Oriented(TopAbs_FORWARD)));
     if (gone_.empty()) return result;
     result.solid = changes_->Apply(solid_);
     result.history = changes_->History();
@@ -59,48 +96,68 @@ class Closer {
            !faces_of_.FindFromKey(edge).First().IsSame(faces_of_.FindFromKey(edge).Last());
   }
 
-  [[nodiscard]] bool is_hairline(const TopoDS_Edge& a, const TopoDS_Edge& b) const {
+  [[nodiscard]] bool is_hairline(const Side& one, const Side& other) const {
+    if (!joins_the_same(one, other)) return false;
+    const TopoDS_Edge &a = one.edge, &b = other.edge;
     const double width = std::max({width_, BRep_Tool::Tolerance(a), BRep_Tool::Tolerance(b)});
-    return !a.IsSame(b) && is_free(a) && is_free(b) && joins_the_same(a, b) &&
+    return !a.IsSame(b) && is_free(a) && is_free(b) &&
            std::max(edge_distance(a, b, width), edge_distance(b, a, width)) <= width;
   }
 
-  void close(const TopoDS_Wire& wire) {
-    std::vector<TopoDS_Edge> loop;
-    for (TopExp_Explorer it(wire, TopAbs_EDGE); it.More(); it.Next())
-      loop.push_back(TopoDS::Edge(it.Current()));
-    bool any = false;
-    while (close_one(loop)) any = true;
-    if (!any) return;
+  void close(const TopoDS_Face& face) {
+    const TopTools_IndexedMapOfShape vertices = sub_shapes(face, TopAbs_VERTEX);
+    std::vector<TopoDS_Shape> wires;
+    std::vector<Loop> loops;
+    for (TopExp_Explorer it(face, TopAbs_WIRE); it.More(); it.Next()) {
+      wires.push_back(it.Current());
+      Loop& loop = loops.emplace_back();
+      for (TopExp_Explorer edges(it.Current(), TopAbs_EDGE); edges.More(); edges.Next()) {
+        const TopoDS_Edge& edge = TopoDS::Edge(edges.Current());
+        TopoDS_Vertex from, to;
+        TopExp::Vertices(edge, from, to, true);
+        loop.push_back({edge, vertices.FindIndex(from), vertices.FindIndex(to)});
+      }
+    }
+    std::vector<bool> changed(loops.size(), false);
+    for (std::size_t i = 0; i < loops.size(); ++i)
+      for (std::size_t j = i; j < loops.size();) {
+        const bool closed = close_between(loops[i], loops[j]);
+        if (closed) changed[i] = changed[j] = true;
+        j = closed ? i : j + 1;
+      }
+    for (std::size_t i = 0; i < loops.size(); ++i)
+      if (changed[i]) replace(wires[i], loops[i]);
+  }
+
+  void replace(const TopoDS_Shape& wire, const Loop& loop) {
+    if (loop.empty()) {
+      changes_->Remove(wire);
+      return;
+    }
     const BRep_Builder builder;
     TopoDS_Wire made;
     builder.MakeWire(made);
-    for (const TopoDS_Edge& edge : loop) builder.Add(made, edge);
-    changes_->Replace(wire, made.Oriented(wire.Orientation()));
+    for (const Side& side : loop) builder.Add(made, side.edge);
+    changes_->Replace(wire, made);
   }
 
-  bool close_one(std::vector<TopoDS_Edge>& loop) {
-    for (std::size_t i = 0; i < loop.size() && loop.size() > 2; ++i)
-      for (std::size_t j = i + 1; j < loop.size(); ++j) {
-        if (!is_hairline(loop[i], loop[j]) || !has_tip(loop, loop[i])) continue;
+  /// What is left of both becomes the first.
+  bool close_between(Loop& one, Loop& other) {
+    for (std::size_t i = 0; i < one.size(); ++i)
+      for (std::size_t j = &one == &other ? i + 1 : 0; j < other.size(); ++j) {
+        if (!is_hairline(one[i], other[j])) continue;
+        Loop rest = without(one, i, other, j);
+        // Else it parts the face, or holes in it that it joins.
+        if (!hang_together(rest)) continue;
         // The better one stays.
-        if (BRep_Tool::Tolerance(loop[j]) < BRep_Tool::Tolerance(loop[i])) std::swap(loop[i], loop[j]);
-        join(loop[i], loop[j]);
-        loop.erase(loop.begin() + static_cast<std::ptrdiff_t>(j));
-        loop.erase(loop.begin() + static_cast<std::ptrdiff_t>(i));
+        if (BRep_Tool::Tolerance(other[j].edge) < BRep_Tool::Tolerance(one[i].edge))
+          join(other[j].edge, one[i].edge);
+        else
+          join(one[i].edge, other[j].edge);
+        other.clear();
+        one = std::move(rest);
         return true;
       }
-    return false;
-  }
-
-  /// Whether no more than two sides of the loop meet at one end of the edge.
-  static bool has_tip(const std::vector<TopoDS_Edge>& loop, const TopoDS_Edge& edge) {
-    for (const TopoDS_Vertex& end : {TopExp::FirstVertex(edge), TopExp::LastVertex(edge)}) {
-      const auto ends_there = [&](const TopoDS_Edge& side) {
-        return end.IsSame(TopExp::FirstVertex(side)) || end.IsSame(TopExp::LastVertex(side));
-      };
-      if (std::count_if(loop.begin(), loop.end(), ends_there) == 2) return true;
-    }
     return false;
   }
 
@@ -108,9 +165,17 @@ class Closer {
     touched_.Add(kept);
     touched_.Add(gone);
     BRep_Builder().UpdateEdge(kept, edge_distance(gone, kept, std::numeric_limits<double>::infinity()));
+    for (const TopoDS_Shape& face : faces_of_.FindFromKey(gone)) add_curve(kept, TopoDS::Face(face));
     // In the loop the two run against each other.
     changes_->Replace(gone, kept.Reversed());
     gone_.push_back(gone);
+  }
+
+  /// The face beyond the edge that goes is bounded by the other one now.
+  static void add_curve(const TopoDS_Edge& edge, const TopoDS_Face& face) {
+    double first = 0.0, last = 0.0;
+    if (BRep_Tool::CurveOnSurface(edge, face, first, last).IsNull())
+      ShapeFix_Edge().FixAddPCurve(edge, face, false, Precision::Confusion());
   }
 
   const TopoDS_Shape& solid_;
