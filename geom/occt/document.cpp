@@ -13,13 +13,18 @@
 #include <STEPCAFControl_Controller.hxx>
 #include <STEPCAFControl_Reader.hxx>
 #include <Standard_Failure.hxx>
+#include <StepRepr_HArray1OfRepresentationItem.hxx>
+#include <StepRepr_Representation.hxx>
+#include <StepRepr_RepresentationItem.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
 #include <TDocStd_Document.hxx>
 #include <TopExp_Explorer.hxx>
 #include <XCAFApp_Application.hxx>
+#include <XSControl_WorkSession.hxx>
 #include <algorithm>
 #include <cctype>
 #include <fstream>
+#include <vector>
 
 #include "base/error.h"
 #include "geom/occt/labels.h"
@@ -65,6 +70,24 @@ void require_step_end(const std::filesystem::path& path) {
     throw InputError("STEP file " + quoted(path) + " is truncated: it does not end with END-ISO-10303-21");
 }
 
+/// Items of a kind that OCCT does not know (texts, leaders of notes) are null handles to it, and it crashes
+/// where it looks for the names of faces among them.
+void drop_unknown_items(const Handle(Interface_InterfaceModel) & model) {
+  for (int i = 1; i <= model->NbEntities(); ++i) {
+    const auto owner = Handle(StepRepr_Representation)::DownCast(model->Value(i));
+    if (owner.IsNull()) continue;
+    std::vector<Handle(StepRepr_RepresentationItem)> known;
+    for (int k = 1; k <= owner->NbItems(); ++k)
+      if (!owner->ItemsValue(k).IsNull()) known.push_back(owner->ItemsValue(k));
+    const int count = static_cast<int>(known.size());
+    if (count == owner->NbItems()) continue;
+    Handle(StepRepr_HArray1OfRepresentationItem) items;
+    if (count > 0) items = new StepRepr_HArray1OfRepresentationItem(1, count);
+    for (int k = 0; k < count; ++k) items->SetValue(k + 1, known[static_cast<std::size_t>(k)]);
+    owner->SetItems(items);
+  }
+}
+
 CadDocument read_step(const std::filesystem::path& path) {
   require_step_end(path);
   STEPCAFControl_Controller::Init();
@@ -78,6 +101,7 @@ CadDocument read_step(const std::filesystem::path& path) {
   reader.SetPropsMode(false);
   if (reader.ReadFile(path.string().c_str()) != IFSelect_RetDone)
     throw InputError("STEP file " + quoted(path) + " cannot be parsed: it is damaged or truncated");
+  drop_unknown_items(reader.Reader().WS()->Model());
   CadDocument result;
   TColStd_SequenceOfAsciiString lengths, angles, solid_angles;
   reader.ChangeReader().FileUnits(lengths, angles, solid_angles);

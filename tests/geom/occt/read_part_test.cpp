@@ -115,6 +115,18 @@ TEST(ReadPart, ConvertsInchesToMillimetreAndNamesTheUnit) {
   EXPECT_NEAR(model.region(1).volume, 6000.0 * 1e9, 1.0);
 }
 
+TEST(ReadPart, PassesOverItemsThatTheKernelDoesNotKnow) {
+  std::string text = content_of(sample_path("box"));
+  const std::string items = "('',(#11,#15),#345);";
+  const std::size_t at = text.find(items);
+  ASSERT_NE(at, std::string::npos);
+  text.replace(at, items.size(), "('',(#11,#9001,#15),#345);\n#9001 = LEADER_DIRECTED_CALLOUT('',(#15));");
+  const TemporaryFile file("callout.step", text);
+  const Model model = read_part(file.path());
+  EXPECT_EQ(model.count(2), 6);
+  EXPECT_NEAR(model.region(1).volume, 6000.0, 1e-9);
+}
+
 TEST(ReadPart, RefusesAFaceThatIsFarFromWhatIsBetweenItsEdges) {
   // Without its unit of angles the cone's are degrees: the face runs away from its edges.
   std::string text = content_of(sample_path("cone"));
