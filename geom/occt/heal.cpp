@@ -26,6 +26,7 @@
 #include "geom/occt/shape_box.h"
 #include "geom/occt/shape_measures.h"
 #include "geom/occt/short_edges.h"
+#include "geom/occt/sphere_sides.h"
 #include "geom/occt/strips.h"
 #include "geom/occt/touched_edges.h"
 #include "geom/occt/voids.h"
@@ -56,6 +57,7 @@ class Healer {
       curves_.renew(set_.solids[i]);
       curves_.add_pole_edges(set_.solids[i]);
       turn_faces(set_.solids[i]);
+      choose_sides(set_.solids[i]);
       close(set_.solids[i]);
       take_small_features(set_.solids[i]);
       take_folds(set_.solids[i]);
@@ -97,6 +99,17 @@ class Healer {
         fmt::format("faces of {} were turned so that they agree along their edges, first at {}",
                     names_.solid(solid), names_.numbered("Edge", 1, uses.edges(wrong))));
     replace(solid, made);
+  }
+
+  void choose_sides(TopoDS_Shape& solid) {
+    const Repair chosen = choose_sphere_sides(solid);
+    if (chosen.entities.empty()) return;
+    set_.notes.push_back(fmt::format(
+        "{} face(s) of {} lay on another of the same sphere, the rest of which is within their loop "
+        "as well, and got that: {}",
+        chosen.entities.size(), names_.solid(solid), names_.listed("Face", 2, chosen.entities)));
+    set_.history->Merge(chosen.history);
+    replace(solid, chosen.solid);
   }
 
   void close(TopoDS_Shape& solid) {
