@@ -76,7 +76,9 @@ class Healer {
 
   /// A new solid in the place of `solid`, of the same orientation.
   void replace(TopoDS_Shape& solid, const TopoDS_Shape& by) {
-    set_.history->AddModified(solid, by);
+    const Handle(BRepTools_History) step = new BRepTools_History;
+    step->AddModified(solid, by);
+    set_.history->Merge(step);  // goes on from what the solid was before
     solid = by;
   }
 
@@ -210,7 +212,12 @@ class Healer {
     classifier.PerformInfinitePoint(Precision::Confusion());
     if (classifier.State() != TopAbs_IN) return;
     set_.notes.push_back(inside_out_note(names_.solid(solid)));
-    solid.Reverse();
+    // Its shells: a general fuse takes no notice of a solid's own orientation.
+    const BRep_Builder builder;
+    TopoDS_Solid made;
+    builder.MakeSolid(made);
+    for (TopoDS_Iterator it(solid); it.More(); it.Next()) builder.Add(made, it.Value().Reversed());
+    replace(solid, made);
   }
 
   void join_touching_voids() {

@@ -143,18 +143,34 @@ TEST(Heal, TurnsASolidThatFillsAllButAHole) {
   EXPECT_EQ(check_model(model), "");
 }
 
-TEST(Heal, TurnsOneOfTwoSolidsThatTouchBeforeTheyAreFused) {
+/// A box at x = 0, another one that stands beside it, and nothing to mend but that one's sides.
+void expect_two_turned_boxes(const TopoDS_Shape& other) {
   const BRep_Builder builder;
   TopoDS_Compound both;
   builder.MakeCompound(both);
   builder.Add(both, BRepPrimAPI_MakeBox(gp_Pnt(0, 0, 0), gp_Pnt(1, 1, 1)).Shape());
-  builder.Add(both, BRepPrimAPI_MakeBox(gp_Pnt(1, 0, 0), gp_Pnt(2, 1, 1)).Shape().Reversed());
+  builder.Add(both, other);
   const Model model = model_from_shape(both);
   EXPECT_NE(note_with(model, "Solid 2 was turned inside out"), "");
+  EXPECT_EQ(note_with(model, "bound no volume"), "") << "Solid 2 is still there";
+  EXPECT_TRUE(model.parts().faults.empty());
   ASSERT_EQ(model.count(3), 2);
   EXPECT_EQ(model.count(2), 11);
   for (int region = 1; region <= 2; ++region) EXPECT_NEAR(model.region(region).volume, 1.0, 1e-9);
   EXPECT_EQ(check_model(model), "");
+}
+
+TEST(Heal, TurnsOneOfTwoSolidsThatTouchBeforeTheyAreFused) {
+  expect_two_turned_boxes(BRepPrimAPI_MakeBox(gp_Pnt(1, 0, 0), gp_Pnt(2, 1, 1)).Shape().Reversed());
+}
+
+TEST(Heal, TurnsTheFacesOfASolidThatTouchesAnother) {
+  std::vector<TopoDS_Face> faces;
+  for (const TopoDS_Face& face : faces_of(BRepPrimAPI_MakeBox(gp_Pnt(1, 0, 0), gp_Pnt(2, 1, 1)).Shape()))
+    faces.push_back(TopoDS::Face(face.Reversed()));
+  expect_two_turned_boxes(solid_of(faces));
+  faces[3].Reverse();
+  expect_two_turned_boxes(solid_of(faces));
 }
 
 TEST(Heal, SewsAnOpenSolidWhoseFacesOnlyNearlyMeet) {
