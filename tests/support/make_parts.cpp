@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Writes parts drawn at random, as engineers make them: octet_make_parts DIRECTORY --count N [--seed S]
+// [--kind NAME]. Part i of a seed is the same whatever is made besides; files are named SEED-INDEX-KIND.
+// Mostly STEP, some IGES and BREP, some in inches or metres, some turned or far from the origin. Only what
+// BRepCheck_Analyzer calls valid.
+#include <sys/wait.h>
+#include <unistd.h>
+#include <BRepBuilderAPI_Transform.hxx>
+#include <BRepTools.hxx>
+#include <IGESControl_Controller.hxx>
+#include <IGESControl_Writer.hxx>
+#include <Interface_Static.hxx>
+#include <Message.hxx>
+#include <Message_Messenger.hxx>
+#include <STEPControl_Controller.hxx>
+#include <STEPControl_Writer.hxx>
+#include <Standard_Failure.hxx>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <numbers>
+#include <string>
+
+#include "tests/support/parts/kinds.h"
+#include "tests/support/parts/shaping.h"
+
+namespace {
+
+using namespace octet::test;
+
+constexpr unsigned kSecondsPerPart = 40;  // for what OCCT does not end; such a part is left out
+
+struct Wanted {
+  std::string folder, kind;
+  int count = 100;
+  std::uint64_t seed = 1;
+};
+
+std::vector<PartKind> all_kinds() {
+  std::vector<PartKind> all;
+  for (const auto& kinds : {milled_kinds(), turned_kinds(), thin_kinds(), free_form_kinds(), joined_kinds()})
+    all.insert(all.end(), kinds.begin(), kinds.end());
+  return all;
+}
+
+/// Half as it was drawn; else turned about the axes by quarters, or at random, some far off.
+gp_Trsf placement(Draw& draw) {
+  if (draw.chance(0.5)) return {};
+  gp_Trsf place;
+  const double quarter = std::numbers::pi / 2;
+  for (const gp_Dir& axis : {gp::DX(), gp::DZ()}) {
+    const double angle = draw.chance(0.3) ? quarter * draw.count(0, 3) : draw.between(0, 4 * quarter);
+    place = turn(gp_Ax1(gp_Pnt(), axis), angle) * place;
+  }
+  if (draw.chance(0.4))
+    place = shift(draw.between(-2e3, 2e3), draw.between(-2e3, 2e3), draw.scaled(10, 2e4)) * place;
+  return place;
+}
+
+bool write(const TopoDS_Shape& part, const std::string& stem, Draw& draw) {
+  const double format = draw.share();
+  const double unit = draw.share();
+  const char* const name = unit < 0.8 ? "MM" : unit < 0.9 ? "INCH" : "M";
+  if (format < 0.1) return BRepTools::Write(part, (stem + ".brep").c_str());
+  if (format < 0.2) {
+    IGESControl_Controller::Init();
+    IGESControl_Writer writer(name, 1);  // 1: solids, not loose faces
+    writer.AddShape(part);
+    writer.ComputeModel();
+    return writer.Write((stem + ".iges").c_str());
+  }
+  STEPControl_Controller::Init();
+  Interface_Static::SetCVal("write.step.unit", name);
+  STEPControl_Writer writer;
+  return writer.Transfer(part, STEPControl_AsIs) == IFSelect_RetDone &&
+         writer.Write((stem + ".step").c_str()) == IFSelect_RetDone;
+}
+
+bool make(const PartKind& kind, std::uint64_t seed, const std::string& stem) {
+  Draw draw(seed);
+  try {
+    const TopoDS_Shape part = moved(kind.make(draw), placement(draw));
+    return is_sound(part) && write(part, stem, draw);
+  } catch (const Standard_Failure&) {
+    return false;
+  } catch (const std::exception&) {
+    return false;
+  }
+}
+
+/// In a process of its own: OCCT may hang or crash.
+bool make_apart(const PartKind& kind, std::uint64_t seed, const std::string& stem) {
+  const pid_t child = fork();
+  if (child == 0) {
+    alarm(kSecondsPerPart);
+    std::freopen("/dev/null", "w", stdout);
+    _exit(make(kind, seed, stem) ? 0 : 1);
+  }
+  int status = 1;
+  return child > 0 && waitpid(child, &status, 0) == child && status == 0;
+}
+
+Wanted parse(int argc, char** argv) {
+  Wanted wanted;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    const char* const value = i + 1 < argc ? argv[i + 1] : "";
+    if (word == "--count")
+      wanted.count = std::atoi(value), ++i;
+    else if (word == "--seed")
+      wanted.seed = std::strtoull(value, nullptr, 10), ++i;
+    else if (word == "--kind")
+      wanted.kind = value, ++i;
+    else
+      wanted.folder = word;
+  }
+  return wanted;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const Wanted wanted = parse(argc, argv);
+  if (wanted.folder.empty()) {
+    std::fprintf(stderr, "usage: octet_make_parts DIRECTORY [--count N] [--seed S] [--kind NAME]\n");
+    return 2;
+  }
+  Message::DefaultMessenger()->ChangePrinters().Clear();
+  const std::vector<PartKind> kinds = all_kinds();
+  int made = 0;
+  for (int i = 0; i < wanted.count; ++i) {
+    const PartKind& kind = kinds[static_cast<std::size_t>(i) % kinds.size()];
+    if (!wanted.kind.empty() && wanted.kind != kind.name) continue;
+    char name[32];
+    std::snprintf(name, sizeof name, "%llu-%04d-", static_cast<unsigned long long>(wanted.seed), i);
+    const std::string stem = wanted.folder + "/" + name + kind.name;
+    if (make_apart(kind, 1000003 * wanted.seed + static_cast<std::uint64_t>(i), stem))
+      ++made;
+    else
+      std::printf("%s: none\n", stem.c_str());
+    std::fflush(stdout);
+  }
+  std::printf("%d parts\n", made);
+  return made > 0 ? 0 : 1;
+}
