@@ -14,63 +14,71 @@ namespace {
 
 constexpr int kPasses = 24;
 
-/// Jets on a grid over the box of the loops.
-class JetGrid {
+/// A surface over the box of the loops.
+class SampledBox {
  public:
-  static constexpr int kSide = 5;
-
-  JetGrid(const SurfaceJets& surface, const std::vector<Vec2>& uv) {
-    Vec2 lo = uv.front(), hi = uv.front();
+  SampledBox(const SurfaceJets& surface, const std::vector<Vec2>& uv)
+      : surface_(surface), lo_(uv.front()), size_(uv.front()) {
     for (const Vec2& p : uv) {
-      lo = lo.cwiseMin(p);
-      hi = hi.cwiseMax(p);
+      lo_ = lo_.cwiseMin(p);
+      size_ = size_.cwiseMax(p);
     }
-    size_ = hi - lo;
-    for (int i = 0; i < kSide; ++i)
-      for (int j = 0; j < kSide; ++j) {
-        const Vec2 share((i + 0.5) / kSide, (j + 0.5) / kSide);
-        jets_.push_back(surface(lo + size_.cwiseProduct(share), 1));
-      }
+    size_ -= lo_;
   }
 
   /// Mean lengths of the derivatives.
   [[nodiscard]] Vec2 mean_lengths() const {
     Vec2 sum = Vec2::Zero();
-    for (const SurfaceJet& jet : jets_) sum += Vec2(jet.du.norm(), jet.dv.norm());
+    for (int i = 0; i < kSide; ++i)
+      for (int j = 0; j < kSide; ++j) {
+        const SurfaceJet jet = jet_at({(i + 0.5) / kSide, (j + 0.5) / kSide});
+        sum += Vec2(jet.du.norm(), jet.dv.norm());
+      }
     const auto usable = [](double x) { return std::isfinite(x) && x > 0.0 ? x : 1.0; };
     return {usable(sum.x() / (kSide * kSide)), usable(sum.y() / (kSide * kSide))};
   }
 
   /// Whether the normal stays the same along lines of u (0) or v (1).
   [[nodiscard]] bool keeps_normal_along(int axis) const {
-    for (int line = 0; line < kSide; ++line)
-      for (int i = 1; i < kSide; ++i)
-        if (!(normal(axis, line, 0).dot(normal(axis, line, i)) > 1.0 - 1e-9)) return false;
+    for (const double line : kUneven) {
+      const Vec3 first = normal(axis, line, kUneven[0]);
+      for (const double share : kUneven)
+        if (!(first.dot(normal(axis, line, share)) > 1.0 - 1e-9)) return false;
+    }
     return true;
   }
 
   [[nodiscard]] Vec2 size() const { return size_; }
 
  private:
-  [[nodiscard]] Vec3 normal(int axis, int line, int i) const {
-    const SurfaceJet& jet = jets_[axis == 0 ? i * kSide + line : line * kSide + i];
+  static constexpr int kSide = 5;
+  /// Where to look whether something stays the same. At even distances a thread of five turns did: it looks
+  /// alike after each turn. Of these no two distances are to each other as small whole numbers.
+  static constexpr std::array<double, kSide> kUneven{0.0877, 0.2769, 0.5321, 0.6933, 0.9114};
+
+  [[nodiscard]] SurfaceJet jet_at(const Vec2& share) const {
+    return surface_(lo_ + size_.cwiseProduct(share), 1);
+  }
+
+  [[nodiscard]] Vec3 normal(int axis, double line, double share) const {
+    const SurfaceJet jet = jet_at(axis == 0 ? Vec2(share, line) : Vec2(line, share));
     return jet.du.cross(jet.dv).normalized();
   }
 
-  std::vector<SurfaceJet> jets_;
-  Vec2 size_;
+  const SurfaceJets& surface_;
+  Vec2 lo_, size_;
 };
 
 /// In (u,v) scaled by this circles are nearly circles on the surface. A long face that is straight along its
 /// length is shortened: a wire would get as many rows of facets as its radius goes into its length.
 Vec2 metric_scale(const SurfaceJets& surface, const std::vector<Vec2>& uv) {
   constexpr double kLong = 2.0;
-  const JetGrid grid(surface, uv);
-  Vec2 scale = grid.mean_lengths();
+  const SampledBox box(surface, uv);
+  Vec2 scale = box.mean_lengths();
   for (const int axis : {0, 1}) {
-    const Vec2 extent = grid.size().cwiseProduct(scale);
+    const Vec2 extent = box.size().cwiseProduct(scale);
     const double longest = kLong * extent[1 - axis];
-    if (extent[axis] > longest && longest > 0.0 && grid.keeps_normal_along(axis))
+    if (extent[axis] > longest && longest > 0.0 && box.keeps_normal_along(axis))
       scale[axis] *= longest / extent[axis];
   }
   return scale;

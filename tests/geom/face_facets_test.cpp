@@ -230,6 +230,27 @@ TEST(FaceFacets, AWireGetsNoMoreOfThemForBeingLong) {
   EXPECT_EQ(facets_of(1000.0), of_short);
 }
 
+TEST(FaceFacets, AThreadIsNotStraightForLookingTheSameAfterEachTurn) {
+  constexpr double kInner = 1.0, kOuter = 1.3, kRise = 0.1;
+  constexpr int kTurns = 5, kSides = 48 * kTurns;  // as many turns as there are samples along a face
+  const SurfaceJets thread = [kRise](const Vec2& uv, int) {
+    SurfaceJet jet;
+    const Vec3 out(std::cos(uv.y()), std::sin(uv.y()), 0.0), along(-out.y(), out.x(), 0.0);
+    jet.p = uv.x() * out + kRise * uv.y() * Vec3::UnitZ();
+    jet.du = out;
+    jet.dv = uv.x() * along + kRise * Vec3::UnitZ();
+    return jet;
+  };
+  std::vector<Vec2> border;
+  for (int i = 0; i <= kSides; ++i) border.emplace_back(kOuter, 2.0 * kPi * kTurns * i / kSides);
+  for (int i = kSides; i >= 0; --i) border.emplace_back(kInner, 2.0 * kPi * kTurns * i / kSides);
+  FaceLoops loops;
+  add_loop(loops, border);
+  const FaceFacets facets = facet_face(thread, false, loops, {.deflection = 0.003});
+  EXPECT_GE(facets.triangles.size(), 2 * kSides);
+  EXPECT_LE(facets.triangles.size(), 8 * kSides);
+}
+
 TEST(FaceFacets, PutPointsInsideASphereOfOneCoarseLoop) {
   const auto surface = make_sphere(Axes3{}, 1.0);
   FaceLoops loops;
