@@ -36,6 +36,16 @@ TEST(OwnAxes, AreARotation) {
   }
 }
 
+TEST(OwnAxes, AreARotationWhereOneOfThemIsNearlyAtRightAnglesToACoordinateAxis) {
+  Landmarks landmarks;
+  const Vec3 first = Vec3(-0.06, -0.67, 0.74).normalized();
+  landmarks.add_plane(first, 2.0);
+  landmarks.add_plane(first.cross(Vec3::UnitZ() + Vec3(3e-10, 0.0, 0.0)).normalized(), 1.0);
+  ASSERT_NE(landmarks.planes[1].normal.z(), 0.0);
+  const Turn axes = own_axes(landmarks);
+  EXPECT_LT((axes * axes.transpose() - Turn::Identity()).cwiseAbs().maxCoeff(), 1e-15);
+}
+
 TEST(OwnAxes, OfABoxAlongTheCoordinateAxesAreExactlyThose) {
   const Turn axes = own_axes(analytic_box(Vec3(3, 1, 2)));
   EXPECT_EQ((axes.array().abs() == 1.0).count(), 3);
