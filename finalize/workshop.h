@@ -30,12 +30,13 @@ struct Workshop {
   const FinalizeOptions& options;
   BoundaryGuard guard;
   FinalizeReport report;
-  bool coarsening = false;  ///< sizes are those of `coarse_size_at`
-  bool thorough = false;    ///< project every place tried, also where projections are dear
-  std::uint64_t work = 0;   ///< evaluations of `shape`, the unit of the work budget
-  std::vector<TetId> made;  ///< tetrahedra made or changed by the last operator that succeeded
-  EdgeRing ring;            ///< scratch
-  LocalStar star;           ///< scratch
+  bool coarsening = false;          ///< sizes are those of `coarse_size_at`
+  bool thorough = false;            ///< project every place tried, also where projections are dear
+  std::uint64_t work = 0;           ///< evaluations of `shape`, the unit of the work budget
+  std::uint64_t compound_work = 0;  ///< of these, those for compound moves
+  std::vector<TetId> made;          ///< tetrahedra made or changed by the last operator that succeeded
+  EdgeRing ring;                    ///< scratch
+  LocalStar star;                   ///< scratch
 
   /// Serial numbers of operations: when tetrahedra at the vertex last changed, and when the tetrahedron was
   /// last tried in vain. What has not changed since is not tried again.

@@ -126,5 +126,28 @@ TEST(Compound, BettersAllThatItTouchesOrChangesNothing) {
   EXPECT_EQ(testing::faults_of(to_mesh(shop.mesh), part.model, euler), "");
 }
 
+TEST(Compound, EndsWhenItsShareOfTheWorkIsSpent) {
+  constexpr double kGoal = 0.4;
+  const Part part = jittered_cylinder();
+  const FinalizeOptions options = testing::options_of_size(0.3);
+  Workshop first(to_work_mesh(part.mesh), part.model, options);
+  TetId improved;  // what fails before changes nothing
+  for (std::size_t i = 0; i < part.mesh.tets.size() && !improved.valid(); ++i) {
+    const TetId t(i);
+    if (first.mesh.quality[t] <= kGoal && improve_by_compound(first, t, kGoal)) improved = t;
+    EXPECT_EQ(first.compound_work, first.work);
+  }
+  ASSERT_TRUE(improved.valid());
+  Workshop shop(to_work_mesh(part.mesh), part.model, options);
+  const State state(shop);
+  constexpr std::uint64_t kSpent = 30'000'000;
+  shop.compound_work = kSpent;
+  EXPECT_FALSE(improve_by_compound(shop, improved, kGoal));
+  EXPECT_EQ(shop.compound_work, kSpent);
+  expect_same(state, State(shop));
+  shop.compound_work = 0;
+  EXPECT_TRUE(improve_by_compound(shop, improved, kGoal));
+}
+
 }  // namespace
 }  // namespace octet
