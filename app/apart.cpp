@@ -59,6 +59,7 @@ void append_claims(const Model& body, const Acceptance& part, Acceptance& whole)
       sum.farthest.reset();
     } else {
       sum.holds = sum.holds && claim.holds;
+      sum.places.insert(sum.places.end(), claim.places.begin(), claim.places.end());
       if (claim.worst - claim.limit > sum.worst - sum.limit) {
         sum.worst = claim.worst;
         sum.limit = claim.limit;

@@ -20,6 +20,8 @@ constexpr double kNear = 0.12;
 constexpr double kGap = 0.1;
 /// How far a fault reaches, in sizes there: crossing triangles have vertices within two.
 constexpr double kAround = 3.0;
+/// Faults at more places than this are all over the part.
+constexpr std::size_t kMostPlaces = 2000;
 
 bool is_near_another(const Model& model, const Vec3& p, int face, double near) {
   const std::array<int, 2>& region = model.face(face).region;
@@ -36,10 +38,15 @@ bool is_near_another(const Model& model, const Vec3& p, int face, double near) {
 std::vector<Mesh::Index> vertices_at_gaps(const Mesh& mesh, const Model& model,
                                           const std::function<double(const Vec3&)>& size_at,
                                           std::span<const Vec3> around) {
+  const bool everywhere = around.empty() || around.size() > kMostPlaces;
+  std::vector<double> reach;
+  if (!everywhere)
+    for (const Vec3& place : around) reach.push_back(kAround * size_at(place));
   const auto is_looked_at = [&](const Vec3& p) {
-    return around.empty() || std::any_of(around.begin(), around.end(), [&](const Vec3& place) {
-             return (p - place).norm() <= kAround * size_at(place);
-           });
+    if (everywhere) return true;
+    for (std::size_t n = 0; n < around.size(); ++n)
+      if ((p - around[n]).squaredNorm() <= reach[n] * reach[n]) return true;
+    return false;
   };
   std::vector<std::pair<Mesh::Index, std::int32_t>> asked;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {

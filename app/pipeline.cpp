@@ -49,10 +49,12 @@ constexpr double kTouchReach = 0.1;
 /// Octants at gaps are subdivided to this share of the finest otherwise where no smallest size was asked for:
 /// a bore of 0.005 mm in a part of 46 mm is closed by octants of its own width.
 constexpr double kFinestAtGaps = 1.0 / 64.0;
-/// How often a mesh without gaps that fails a claim is made again, from the same tree, with the boundary held
-/// in finalization where it comes near to itself: around the faults so far, and the last time everywhere. To
-/// keep what finalization begins with would take its memory in every run, for the few that come to this.
+/// How often a mesh without gaps that fails a claim is finalized again with the boundary held where it comes
+/// near to itself: around the faults so far, and the last time everywhere. What finalization begins with is
+/// kept for that up to so many tetrahedra; larger meshes, which would take its memory in every run for the
+/// few that come to this, are made again from the same tree.
 constexpr int kHoldTries = 4;
+constexpr std::size_t kKeptTets = 1'000'000;
 /// How often it is then made again with smaller octants at its faults.
 constexpr int kSecondTries = 3;
 /// In attempts after the first octree vertices keep farther off: middle layers of walls, which the nearer
@@ -97,6 +99,25 @@ Fault warning_of(const FaceCrossing& crossing, const Model& model) {
           "mend the part there"};
 }
 
+/// Faults of all kinds, those that are not listed with their claim as well.
+std::size_t fault_count(const MeshReport& report) {
+  std::size_t count = report.faults.size();
+  for (const Claim& claim : report.acceptance.claims) count += claim.places.size() - claim.faults.size();
+  return count;
+}
+
+/// Places where claims fail.
+std::vector<Vec3> places_at_fault(const Acceptance& acceptance) {
+  std::vector<Vec3> places;
+  for (const Claim& claim : acceptance.claims)
+    places.insert(places.end(), claim.places.begin(), claim.places.end());
+  std::sort(places.begin(), places.end(), [](const Vec3& a, const Vec3& b) {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+  });
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  return places;
+}
+
 class Run {
  public:
   Run(const OwnFrame& frame, const MeshOptions& options, Observer& observer)
@@ -106,13 +127,17 @@ class Run {
     choose_size();
     std::optional<Octree> tree = build_tree();
     std::optional<MeshResult> best;
-    while (tree) {
-      mesh_band(*std::exchange(tree, std::nullopt));
-      extract();
+    while (tree || again_) {
+      if (again_) {
+        restore();
+      } else {
+        mesh_band(*std::exchange(tree, std::nullopt));
+        extract();
+      }
       improve();
       append_interior();
       accept();
-      const bool better = !best || result_.report.faults.size() < best->report.faults.size();
+      const bool better = !best || fault_count(result_.report) < fault_count(best->report);
       tree = next_tree(better);
       keep_better(best, better);
     }
@@ -335,12 +360,20 @@ class Run {
     std::vector<Vec3> points = points_of(*band_);
     std::vector<ModelRef> on = band_->on;
     const ExtraTets near = near_tets(band_->tree, band_->vertices, band_->labels, band_->split, points, on);
-    result_.report.template_tets = near.tets.size();
+    near_templates_ = near.tets.size();
+    result_.report.template_tets = near_templates_;
     fixed_vertices_ = near.first.size();
     result_.mesh = extract_mesh(*band_->band, tets, points, on, *band_->chains, near);
     band_->forget_band();
     if (!broken_.empty()) leave_out(result_.mesh, model_, broken_);
     dump("classified");
+  }
+
+  /// Goes back to what finalization began with.
+  void restore() {
+    again_ = false;
+    result_.mesh = *classified_;
+    result_.report.template_tets = near_templates_;
   }
 
   /// The mesh so far together with what will be appended to it.
@@ -356,6 +389,7 @@ class Run {
   void improve() {
     if (!options_.finalize || (!result_.report.faults.empty() && broken_.empty())) return;
     begin("finalization", 0.65);
+    if (!gaps_left_ && !classified_ && result_.mesh.tets.size() <= kKeptTets) classified_ = result_.mesh;
     FinalizeOptions finalize_options;
     finalize_options.scope = options_.scope;
     finalize_options.fixed_vertices = fixed_vertices_;
@@ -370,13 +404,17 @@ class Run {
 
   /// Where these are what the try before held, without success, no more tries are worth their time.
   std::vector<Mesh::Index> held_vertices(const std::function<double(const Vec3&)>& size_at) {
-    const bool everywhere = hold_tries_ == kHoldTries;
-    std::vector<Mesh::Index> held =
-        vertices_at_gaps(result_.mesh, model_, size_at,
-                         everywhere ? std::span<const Vec3>{} : std::span<const Vec3>(fault_places_));
+    std::vector<Mesh::Index> held = near_vertices(result_.mesh, size_at);
     hold_spent_ = held == held_;
     held_ = held;
     return held;
+  }
+
+  [[nodiscard]] std::vector<Mesh::Index> near_vertices(
+      const Mesh& mesh, const std::function<double(const Vec3&)>& size_at) const {
+    const bool everywhere = hold_tries_ == kHoldTries;
+    return vertices_at_gaps(mesh, model_, size_at,
+                            everywhere ? std::span<const Vec3>{} : std::span<const Vec3>(fault_places_));
   }
 
   void append_interior() {
@@ -384,24 +422,36 @@ class Run {
     result_.report.template_tets +=
         append_deep(band_->tree, band_->vertices, band_->labels, band_->split, result_.mesh);
     frame_.to_part(result_.mesh.points);
+    if (classified_) return;
     tree_ = std::move(band_->tree);
     band_.reset();
   }
 
-  /// The tree for another try; none where there is no fault, where gaps have had their tries already, and
-  /// where smaller octants have not helped a tree that is large.
+  /// That of the mesh.
+  [[nodiscard]] const Octree& tree() const { return band_ ? band_->tree : *tree_; }
+
+  /// The tree for another try; none where there is no fault, where gaps have had their tries already, where
+  /// what is kept will do, and where smaller octants have not helped a tree that is large.
   [[nodiscard]] std::optional<Octree> next_tree(bool better) {
     const std::size_t faults = result_.report.faults.size();
     if (faults == 0 || gaps_left_) return std::nullopt;
     if (options_.finalize && hold_tries_ < kHoldTries && !hold_spent_) {
-      for (const Fault& fault : result_.report.faults) fault_places_.push_back(frame_.to_model(fault.place));
-      observer_.note(fmt::format("{} faults: where the boundary is near to itself it will be held{}", faults,
-                                 ++hold_tries_ < kHoldTries ? " around them" : ""));
-      return tree_;
+      const std::vector<Vec3> places = places_at_fault(result_.report.acceptance);
+      for (const Vec3& place : places) fault_places_.push_back(frame_.to_model(place));
+      observer_.note(
+          fmt::format("faults at {} places: where the boundary is near to itself it will be held{}",
+                      places.size(), ++hold_tries_ < kHoldTries ? " around them" : ""));
+      again_ = classified_ && holds_more();
+      return again_ ? std::nullopt : std::optional(tree());
     }
-    const bool hopeful = better || second_tries_ == 0 || tree_->size() <= kCheapTree;
+    const bool hopeful = better || second_tries_ == 0 || tree().size() <= kCheapTree;
     if (!hopeful || second_tries_++ == kSecondTries) return std::nullopt;
     return finer_at_faults();
+  }
+
+  /// Whether finalization would hold other vertices of the kept mesh than it has.
+  [[nodiscard]] bool holds_more() const {
+    return near_vertices(*classified_, [this](const Vec3& p) { return tree().spacing_at(p); }) != held_;
   }
 
   /// What a user would do who is told to ask for a smaller size at a fault: the tree with octants subdivided
@@ -409,8 +459,8 @@ class Run {
   [[nodiscard]] std::optional<Octree> finer_at_faults() {
     std::vector<Fault> faults = result_.report.faults;
     for (Fault& fault : faults) fault.place = frame_.to_model(fault.place);
-    std::optional<Octree> finer = subdivide_at(*tree_, faults, 0.5 * finest_octant());
-    if (finer && !wish_) wish_ = tree_;
+    std::optional<Octree> finer = subdivide_at(tree(), faults, 0.5 * finest_octant());
+    if (finer && !wish_) wish_ = tree();
     if (finer)
       observer_.note(
           fmt::format("{} faults: their octants subdivided, {} octants now", faults.size(), finer->size()));
@@ -434,7 +484,10 @@ class Run {
     result_ = MeshResult{};
     result_.report = std::move(account);
     broken_.clear();
+    if (again_) return;
     tree_.reset();
+    band_.reset();
+    classified_.reset();
   }
 
   void accept() {
@@ -449,7 +502,7 @@ class Run {
   }
 
   [[nodiscard]] SizeShortfall shortfall() const {
-    const Octree& asked = wish_ ? *wish_ : *tree_;
+    const Octree& asked = wish_ ? *wish_ : tree();
     return size_shortfall(result_.mesh, [&](const Vec3& p) { return asked.spacing_at(frame_.to_model(p)); });
   }
 
@@ -484,6 +537,9 @@ class Run {
   std::vector<Vec3> fault_places_;  ///< of the tries before, in the model's own frame
   int second_tries_ = 0;            ///< with smaller octants at faults
   std::optional<Octree> tree_;      ///< that of the mesh, when the band has gone
+  std::optional<Mesh> classified_;  ///< what finalization begins with, where it is kept; then the band stays
+  std::size_t near_templates_ = 0;  ///< template tetrahedra in it
+  bool again_ = false;              ///< the next try is from there
 };
 
 }  // namespace

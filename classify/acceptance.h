@@ -26,7 +26,8 @@ struct Claim {
   bool holds = false;
   double worst = 0.0;  ///< the measured figure (0 where the claim is yes or no)
   double limit = 0.0;
-  std::vector<Fault> faults;  ///< the worst places first, at most ten
+  std::vector<Fault> faults;  ///< the worst first, at most ten
+  std::vector<Vec3> places;   ///< of all faults, those of `faults` and others
   std::optional<Farthest>
       farthest;  ///< of the claims edge-length and surface-distance, where any place is off
 };

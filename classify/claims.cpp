@@ -181,6 +181,7 @@ ClaimBuilder::ClaimBuilder(std::string name, std::string statement) {
 void ClaimBuilder::fault(double severity, ModelRef entity, const Vec3& place, std::string cause,
                          std::string advice) {
   ++count_;
+  claim_.places.push_back(place);
   const auto at = std::upper_bound(kept_.begin(), kept_.end(), severity,
                                    [](double s, const auto& kept) { return s > kept.first; });
   if (at == kept_.end() && kept_.size() == kFaultsKept) return;

@@ -35,6 +35,7 @@ std::vector<std::string> broken_claims(const Mesh& mesh, const Model& model) {
   for (const Claim& claim : accept_mesh(mesh, model).claims) {
     EXPECT_EQ(claim.holds, claim.faults.empty()) << claim.name;
     EXPECT_LE(claim.faults.size(), 10u);
+    EXPECT_GE(claim.places.size(), claim.faults.size());
     if (!claim.holds) names.push_back(claim.name);
   }
   return names;
@@ -336,6 +337,26 @@ TEST(Acceptance, FaultsTellEntityPlaceCauseAndAdvice) {
     EXPECT_FALSE(claim.faults[0].advice.empty());
     EXPECT_GT(claim.worst, claim.limit);
   }
+}
+
+TEST(Acceptance, ManyFaultsAreListedInPartAndTellAllTheirPlaces) {
+  const Model model = box();
+  Mesh mesh = box_mesh_on(model, 4);
+  std::vector<Vec3> moved;
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+    if (mesh.point_on[v].dim != 2) continue;
+    mesh.points[v] += Vec3(0.01, 0.01, 0.01);
+    moved.push_back(mesh.points[v]);
+  }
+  ASSERT_GT(moved.size(), 20u);
+  const Acceptance acceptance = accept_mesh(mesh, model);
+  const auto claim = std::find_if(acceptance.claims.begin(), acceptance.claims.end(),
+                                  [](const Claim& c) { return c.name == "nodes-on-entity"; });
+  ASSERT_NE(claim, acceptance.claims.end());
+  EXPECT_EQ(claim->faults.size(), 10u);
+  ASSERT_EQ(claim->places.size(), moved.size());
+  for (const Vec3& place : claim->places)
+    EXPECT_NE(std::find(moved.begin(), moved.end(), place), moved.end()) << place.transpose();
 }
 
 TEST(Acceptance, CostlyClaimsCanBeLeftOut) {
