@@ -13,7 +13,8 @@ faces between two regions have triangles, how many such triangles there are (eac
 different regions must be one, once), whether each triangle has a tetrahedron in each of the regions that its face
 bounds (`sides`, by tests/interfaces.py), and the worst error of a region's volume against the CAD's. With --turns N each part is meshed as it stands and turned at
 random N times (the same turns each time, at the size of the part as it stands; build the target octet_turn_part), and runs of other status than the part's
-as it stands, or more than a tenth more or fewer elements, are told. The exit code is 0 when every run is complete and every judge content.
+as it stands, or more than a tenth more or fewer elements, are told. The target
+octet_make_parts writes folders of random parts (build/tests/geom/occt/octet_make_parts FOLDER --count 100 --seed 1). The exit code is 0 when every run is complete and every judge content.
 """
 import argparse
 import csv

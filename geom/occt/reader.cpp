@@ -181,9 +181,9 @@ Model read_model(ReadJob job) {
   const TimeLeft time(job.options.time_limit);
   std::string note;
   Model model = read_defeatured(job, note);
-  job.options.time_limit = time.seconds();
+  job.options.time_limit = time.seconds_for_repair();
   model = read_united(job, std::move(model));
-  job.options.time_limit = time.seconds();
+  job.options.time_limit = time.seconds_for_repair();
   model = read_imprinted(std::move(job), std::move(model));
   return note.empty() ? std::move(model) : with_note(model, note);
 }

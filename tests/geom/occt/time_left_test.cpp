@@ -20,5 +20,12 @@ TEST(TimeLeft, IsNeverMoreThanTheLimit) {
   EXPECT_GT(time.seconds(), 900.0);
 }
 
+TEST(TimeLeft, ARepairGetsAMinuteWhereReadingWasQuick) {
+  EXPECT_GT(TimeLeft(300.0).seconds_for_repair(), 50.0);
+  EXPECT_LT(TimeLeft(300.0).seconds_for_repair(), 100.0);
+  EXPECT_LE(TimeLeft(5.0).seconds_for_repair(), 5.0);
+  EXPECT_EQ(TimeLeft(0.0).seconds_for_repair(), 0.0);
+}
+
 }  // namespace
 }  // namespace octet

@@ -126,7 +126,7 @@ TopoDS_Wire bent_path(Draw& draw, double a, double bend) {
     const gp_Vec u(points[i], points[i + 1]), v(points[i + 1], points[i + 2]);
     ChFi2d_FilletAPI corner(edges[i], edges[i + 1], gp_Pln(points[i + 1], u.Crossed(v)));
     TopoDS_Edge first, second;
-    if (!corner.Perform(bend)) return polygon(points, false);
+    if (!corner.Perform(bend)) return {};  // along corners OCCT makes pipes that are flat in part
     const TopoDS_Edge arc = corner.Result(points[i + 1], first, second);
     wire.Add(first);
     wire.Add(arc);
@@ -139,6 +139,7 @@ TopoDS_Wire bent_path(Draw& draw, double a, double bend) {
 TopoDS_Shape tube(Draw& draw) {
   const double a = draw.scaled(10, 300), r = a * draw.scaled(0.02, 0.2), wall = r * draw.scaled(0.02, 0.5);
   const TopoDS_Wire path = bent_path(draw, a, r * draw.length(1.05, 2.5));
+  if (path.IsNull()) return {};
   const auto pipe = [&](double radius) {
     return BRepOffsetAPI_MakePipe(path,
                                   BRepBuilderAPI_MakeFace(circle_at({0, 0, 0}, gp::DX(), radius)).Face())
