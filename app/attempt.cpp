@@ -53,6 +53,12 @@ std::vector<Vec3> places_along(const Model& model, int face, double spacing) {
   return places;
 }
 
+/// A place, and the longest octant that is wanted there.
+struct SizedPlace {
+  Vec3 place;
+  double longest;
+};
+
 /// Octants of a tree that are to be refined; none becomes shorter than half of `finest`.
 class Subdivision {
  public:
@@ -74,9 +80,11 @@ class Subdivision {
     octants_.clear();
     return true;
   }
-  /// Octants around a place no longer than this.
-  void refine_to(const Vec3& place, double longest) {
-    do take_around(place, std::max(longest, finest_));
+  /// Octants around each place no longer than it says; all at once, for each refinement goes over the whole
+  /// tree.
+  void refine_to(const std::vector<SizedPlace>& places) {
+    do
+      for (const SizedPlace& wanted : places) take_around(wanted.place, std::max(wanted.longest, finest_));
     while (refine_taken());
   }
   [[nodiscard]] Octree tree() && { return std::move(tree_); }
@@ -208,16 +216,17 @@ std::optional<Octree> subdivide_at_gaps(const Attempt& attempt, const Model& mod
   for (const std::size_t cell : attempt.closed.crowded) subdivision.take(OctantId(cell), finest);
   if (!subdivision.refine_taken()) return std::nullopt;
   std::set<int> narrow;
+  std::vector<SizedPlace> wanted;
   for (const Gap& gap : attempt.closed.gaps) {
     if (gap.kind == GapKind::kBareFace)
-      subdivision.refine_to(gap.place, 0.5 * least_extent(model, gap.entity.tag));
+      wanted.push_back({gap.place, 0.5 * least_extent(model, gap.entity.tag)});
     if (gap.kind != GapKind::kBareVertex || gap.entity.dim != 2 || narrow.count(gap.entity.tag) > 0) continue;
     const double radius = radius_at(model, gap.entity.tag, gap.place);
     if (radius > kNarrowShare * attempt.tree.length_at(gap.place)) continue;
     narrow.insert(gap.entity.tag);
-    for (const Vec3& place : places_along(model, gap.entity.tag, radius))
-      subdivision.refine_to(place, radius);
+    for (const Vec3& place : places_along(model, gap.entity.tag, radius)) wanted.push_back({place, radius});
   }
+  subdivision.refine_to(wanted);
   return std::move(subdivision).tree();
 }
 
