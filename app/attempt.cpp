@@ -230,9 +230,9 @@ std::optional<Octree> subdivide_at_gaps(const Attempt& attempt, const Model& mod
   return std::move(subdivision).tree();
 }
 
-std::optional<Octree> subdivide_at(const Octree& tree, const std::vector<Fault>& faults, double finest) {
+std::optional<Octree> subdivide_at(const Octree& tree, const std::vector<Vec3>& places, double finest) {
   Subdivision subdivision(tree, finest);
-  for (const Fault& fault : faults) subdivision.take_around(fault.place);
+  for (const Vec3& place : places) subdivision.take_around(place);
   if (!subdivision.refine_taken()) return std::nullopt;
   return std::move(subdivision).tree();
 }

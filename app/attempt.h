@@ -60,8 +60,8 @@ void find_all_gaps(Attempt& attempt);
 /// none can be refined.
 [[nodiscard]] std::optional<Octree> subdivide_at_gaps(const Attempt& attempt, const Model& model,
                                                       double finest);
-/// The same for octants around faults of a mesh.
-[[nodiscard]] std::optional<Octree> subdivide_at(const Octree& tree, const std::vector<Fault>& faults,
+/// The same for octants around places where a mesh is at fault.
+[[nodiscard]] std::optional<Octree> subdivide_at(const Octree& tree, const std::vector<Vec3>& places,
                                                  double finest);
 
 }  // namespace octet

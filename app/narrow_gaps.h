@@ -14,7 +14,8 @@ namespace octet {
 /// The boundary vertices from which another sheet of the boundary is nearer, through the outside, than a
 /// share of the size there; ascending. Nothing is between two such sheets that would keep their triangles
 /// from crossing when either changes. None inside planar faces: their triangles stay in the plane. `around`:
-/// no vertices but those within some sizes of these places are looked at; empty: all are.
+/// no vertices but those within some sizes of these places are looked at; where there are none of these, or
+/// thousands, all are.
 [[nodiscard]] std::vector<Mesh::Index> vertices_at_gaps(const Mesh& mesh, const Model& model,
                                                         const std::function<double(const Vec3&)>& size_at,
                                                         std::span<const Vec3> around = {});

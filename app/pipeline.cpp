@@ -106,17 +106,11 @@ std::size_t fault_count(const MeshReport& report) {
   return count;
 }
 
-/// Places where claims fail.
-std::vector<Vec3> places_at_fault(const Acceptance& acceptance) {
-  std::vector<Vec3> places;
-  for (const Claim& claim : acceptance.claims)
-    places.insert(places.end(), claim.places.begin(), claim.places.end());
-  std::sort(places.begin(), places.end(), [](const Vec3& a, const Vec3& b) {
-    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
-  });
-  places.erase(std::unique(places.begin(), places.end()), places.end());
-  return places;
-}
+/// What finalization begins with.
+struct Begun {
+  Mesh mesh;
+  std::size_t template_tets;  ///< among its tetrahedra
+};
 
 class Run {
  public:
@@ -133,6 +127,7 @@ class Run {
       } else {
         mesh_band(*std::exchange(tree, std::nullopt));
         extract();
+        if (hold_tries_ > 0) hold_spent_ = !hold(result_.mesh);
       }
       improve();
       append_interior();
@@ -360,8 +355,7 @@ class Run {
     std::vector<Vec3> points = points_of(*band_);
     std::vector<ModelRef> on = band_->on;
     const ExtraTets near = near_tets(band_->tree, band_->vertices, band_->labels, band_->split, points, on);
-    near_templates_ = near.tets.size();
-    result_.report.template_tets = near_templates_;
+    result_.report.template_tets = near.tets.size();
     fixed_vertices_ = near.first.size();
     result_.mesh = extract_mesh(*band_->band, tets, points, on, *band_->chains, near);
     band_->forget_band();
@@ -372,8 +366,8 @@ class Run {
   /// Goes back to what finalization began with.
   void restore() {
     again_ = false;
-    result_.mesh = *classified_;
-    result_.report.template_tets = near_templates_;
+    result_.mesh = begun_->mesh;
+    result_.report.template_tets = begun_->template_tets;
   }
 
   /// The mesh so far together with what will be appended to it.
@@ -389,32 +383,30 @@ class Run {
   void improve() {
     if (!options_.finalize || (!result_.report.faults.empty() && broken_.empty())) return;
     begin("finalization", 0.65);
-    if (!gaps_left_ && !classified_ && result_.mesh.tets.size() <= kKeptTets) classified_ = result_.mesh;
+    if (!gaps_left_ && !begun_ && result_.mesh.tets.size() <= kKeptTets)
+      begun_ = Begun{result_.mesh, result_.report.template_tets};
     FinalizeOptions finalize_options;
     finalize_options.scope = options_.scope;
     finalize_options.fixed_vertices = fixed_vertices_;
     finalize_options.volume_beyond = deep_volumes(band_->tree, band_->labels, band_->split, model_.count(3));
     finalize_options.size_at = [this](const Vec3& p) { return band_->tree.spacing_at(p); };
-    if (hold_tries_ > 0) finalize_options.held = held_vertices(finalize_options.size_at);
+    finalize_options.held = held_;
     if (wish_) finalize_options.coarse_size_at = [this](const Vec3& p) { return wish_->spacing_at(p); };
     const FinalizeReport report = finalize(result_.mesh, model_, finalize_options, observer_);
     observer_.note(describe(report));
     dump("finalized");
   }
 
-  /// Where these are what the try before held, without success, no more tries are worth their time.
-  std::vector<Mesh::Index> held_vertices(const std::function<double(const Vec3&)>& size_at) {
-    std::vector<Mesh::Index> held = near_vertices(result_.mesh, size_at);
-    hold_spent_ = held == held_;
-    held_ = held;
-    return held;
-  }
-
-  [[nodiscard]] std::vector<Mesh::Index> near_vertices(
-      const Mesh& mesh, const std::function<double(const Vec3&)>& size_at) const {
+  /// Holds, in the mesh that finalization begins with, the boundary near to itself around the faults so far,
+  /// at the last try everywhere. False: that is what the try before held, without success, and no more tries
+  /// are worth their time.
+  [[nodiscard]] bool hold(const Mesh& mesh) {
     const bool everywhere = hold_tries_ == kHoldTries;
-    return vertices_at_gaps(mesh, model_, size_at,
-                            everywhere ? std::span<const Vec3>{} : std::span<const Vec3>(fault_places_));
+    std::vector<Mesh::Index> near = vertices_at_gaps(
+        mesh, model_, [this](const Vec3& p) { return tree().spacing_at(p); },
+        everywhere ? std::span<const Vec3>{} : std::span<const Vec3>(fault_places_));
+    held_.swap(near);
+    return held_ != near;
   }
 
   void append_interior() {
@@ -422,7 +414,7 @@ class Run {
     result_.report.template_tets +=
         append_deep(band_->tree, band_->vertices, band_->labels, band_->split, result_.mesh);
     frame_.to_part(result_.mesh.points);
-    if (classified_) return;
+    if (begun_) return;
     tree_ = std::move(band_->tree);
     band_.reset();
   }
@@ -436,12 +428,12 @@ class Run {
     const std::size_t faults = result_.report.faults.size();
     if (faults == 0 || gaps_left_) return std::nullopt;
     if (options_.finalize && hold_tries_ < kHoldTries && !hold_spent_) {
-      const std::vector<Vec3> places = places_at_fault(result_.report.acceptance);
-      for (const Vec3& place : places) fault_places_.push_back(frame_.to_model(place));
+      const std::vector<Vec3> places = places_at_fault();
+      fault_places_.insert(fault_places_.end(), places.begin(), places.end());
       observer_.note(
           fmt::format("faults at {} places: where the boundary is near to itself it will be held{}",
                       places.size(), ++hold_tries_ < kHoldTries ? " around them" : ""));
-      again_ = classified_ && holds_more();
+      again_ = begun_ && hold(begun_->mesh);
       return again_ ? std::nullopt : std::optional(tree());
     }
     const bool hopeful = better || second_tries_ == 0 || tree().size() <= kCheapTree;
@@ -449,21 +441,27 @@ class Run {
     return finer_at_faults();
   }
 
-  /// Whether finalization would hold other vertices of the kept mesh than it has.
-  [[nodiscard]] bool holds_more() const {
-    return near_vertices(*classified_, [this](const Vec3& p) { return tree().spacing_at(p); }) != held_;
+  /// Where claims fail, in the model's own frame.
+  [[nodiscard]] std::vector<Vec3> places_at_fault() const {
+    std::vector<Vec3> places;
+    for (const Claim& claim : result_.report.acceptance.claims)
+      for (const Vec3& place : claim.places) places.push_back(frame_.to_model(place));
+    std::sort(places.begin(), places.end(), [](const Vec3& a, const Vec3& b) {
+      return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+    });
+    places.erase(std::unique(places.begin(), places.end()), places.end());
+    return places;
   }
 
   /// What a user would do who is told to ask for a smaller size at a fault: the tree with octants subdivided
   /// there.
   [[nodiscard]] std::optional<Octree> finer_at_faults() {
-    std::vector<Fault> faults = result_.report.faults;
-    for (Fault& fault : faults) fault.place = frame_.to_model(fault.place);
-    std::optional<Octree> finer = subdivide_at(tree(), faults, 0.5 * finest_octant());
+    const std::vector<Vec3> places = places_at_fault();
+    std::optional<Octree> finer = subdivide_at(tree(), places, 0.5 * finest_octant());
     if (finer && !wish_) wish_ = tree();
     if (finer)
-      observer_.note(
-          fmt::format("{} faults: their octants subdivided, {} octants now", faults.size(), finer->size()));
+      observer_.note(fmt::format("faults at {} places: their octants subdivided, {} octants now",
+                                 places.size(), finer->size()));
     return finer;
   }
 
@@ -487,7 +485,7 @@ class Run {
     if (again_) return;
     tree_.reset();
     band_.reset();
-    classified_.reset();
+    begun_.reset();
   }
 
   void accept() {
@@ -533,12 +531,11 @@ class Run {
   std::optional<Octree> wish_;  ///< octants of the sizes asked for, where some were subdivided
   int hold_tries_ = 0;          ///< with the boundary held in finalization
   bool hold_spent_ = false;     ///< the last of them held what the one before did
-  std::vector<Mesh::Index> held_;   ///< in the last of them
+  std::vector<Mesh::Index> held_;   ///< boundary vertices that finalization holds
   std::vector<Vec3> fault_places_;  ///< of the tries before, in the model's own frame
   int second_tries_ = 0;            ///< with smaller octants at faults
   std::optional<Octree> tree_;      ///< that of the mesh, when the band has gone
-  std::optional<Mesh> classified_;  ///< what finalization begins with, where it is kept; then the band stays
-  std::size_t near_templates_ = 0;  ///< template tetrahedra in it
+  std::optional<Begun> begun_;      ///< where it is kept; then the band stays
   bool again_ = false;              ///< the next try is from there
 };
 

@@ -12,7 +12,6 @@
 
 namespace octet {
 
-/// One claim about a mesh of a model.
 /// The place of a CAD edge or face that is farthest from its chords or triangles.
 struct Farthest {
   ModelRef entity;
@@ -20,6 +19,7 @@ struct Farthest {
   double distance = 0.0;  ///< model units
 };
 
+/// One claim about a mesh of a model.
 struct Claim {
   std::string name;       ///< short, stable: "positive-volume", "edge-chains", ...
   std::string statement;  ///< what is claimed, one sentence

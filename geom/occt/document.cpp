@@ -71,8 +71,9 @@ void require_step_end(const std::filesystem::path& path) {
 }
 
 /// Items of a kind that OCCT does not know (texts, leaders of notes) are null handles to it, and it crashes
-/// where it looks for the names of faces among them.
-void drop_unknown_items(const Handle(Interface_InterfaceModel) & model) {
+/// where it looks for the names of faces among them. Returns how many there were.
+int drop_unknown_items(const Handle(Interface_InterfaceModel) & model) {
+  int dropped = 0;
   for (int i = 1; i <= model->NbEntities(); ++i) {
     const auto owner = Handle(StepRepr_Representation)::DownCast(model->Value(i));
     if (owner.IsNull()) continue;
@@ -84,8 +85,10 @@ void drop_unknown_items(const Handle(Interface_InterfaceModel) & model) {
     Handle(StepRepr_HArray1OfRepresentationItem) items;
     if (count > 0) items = new StepRepr_HArray1OfRepresentationItem(1, count);
     for (int k = 0; k < count; ++k) items->SetValue(k + 1, known[static_cast<std::size_t>(k)]);
+    dropped += owner->NbItems() - count;
     owner->SetItems(items);
   }
+  return dropped;
 }
 
 CadDocument read_step(const std::filesystem::path& path) {
@@ -101,8 +104,12 @@ CadDocument read_step(const std::filesystem::path& path) {
   reader.SetPropsMode(false);
   if (reader.ReadFile(path.string().c_str()) != IFSelect_RetDone)
     throw InputError("STEP file " + quoted(path) + " cannot be parsed: it is damaged or truncated");
-  drop_unknown_items(reader.Reader().WS()->Model());
   CadDocument result;
+  if (const int dropped = drop_unknown_items(reader.Reader().WS()->Model()); dropped > 0)
+    result.notes.push_back(fmt::format(
+        "items of the STEP file that were passed over, for the CAD kernel does not know their kind "
+        "(texts and leaders of notes, tessellations): {}",
+        dropped));
   TColStd_SequenceOfAsciiString lengths, angles, solid_angles;
   reader.ChangeReader().FileUnits(lengths, angles, solid_angles);
   if (!lengths.IsEmpty()) result.unit = lower(lengths.First().ToCString());

@@ -37,6 +37,7 @@ struct CadDocument {
   std::string unit = "millimetre";
   std::vector<ShapeLabel> labels;  ///< outer ones first: a later label is more specific
   std::vector<PlacedPart> tree;    ///< outer ones first
+  std::vector<std::string> notes;  ///< what was passed over
 };
 
 /// Serial: OCCT's readers share global state (the caller holds the lock). Prints nothing.

@@ -18,11 +18,12 @@ struct HealOptions {
 /// Nothing is touched that is right, and each repair is one line in set.notes with its count and the first
 /// entity, numbered as read:
 ///  1. edges without a curve in space, and edges without a curve on a face, get one;
-///  2. a solid whose faces are not turned alike: they are turned as their neighbours;
+///  2. a face that has the rest of its sphere gets its own part back, and faces of a solid that are not
+///     turned alike are turned as their neighbours;
 ///  3. an open solid: its faces are sewn, and capped where that is asked for, where that closes it;
 ///  4. faces no wider than the tolerance or the gaps of their sides or the smallest feature become edges,
 ///     rings no wider than that edges, edges no longer than that vertices; edges that a vertex of their face
-///     lies on are split, and sides that cross within their tolerance, spikes and slits of loops no wider
+///     lies on are split, and sides that cross within their tolerance, spikes and slits of faces no wider
 ///     are closed, faces folded flat onto a neighbour go;
 ///  5. where there are several, a solid turned inside out, so that it fills all space but its hole, is turned
 ///     before they are fused (a single one shows by its facets, which is surer);

@@ -181,9 +181,10 @@ Model read_model(ReadJob job) {
   const TimeLeft time(job.options.time_limit);
   std::string note;
   Model model = read_defeatured(job, note);
-  job.options.time_limit = time.seconds_for_repair();
+  const double for_repair = time.seconds_for_repair();
+  job.options.time_limit = for_repair;
   model = read_united(job, std::move(model));
-  job.options.time_limit = time.seconds_for_repair();
+  job.options.time_limit = std::min(for_repair, time.seconds());
   model = read_imprinted(std::move(job), std::move(model));
   return note.empty() ? std::move(model) : with_note(model, note);
 }

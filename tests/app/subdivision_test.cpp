@@ -17,16 +17,16 @@ Model void_in_a_box() {
 
 Octree unit_octants(const Model& model) { return build_octree(model, {.size = 1.0}, {}); }
 
-TEST(Subdivision, OctantsAroundAFaultAreHalvedAndNoneBelowTheFinest) {
+TEST(Subdivision, OctantsAroundAPlaceAreHalvedAndNoneBelowTheFinest) {
   const Model model = void_in_a_box();
   const Octree tree = unit_octants(model);
-  const Fault fault{model_face(1), Vec3(1.3, -0.4, 0.2), "", ""};
-  const auto once = subdivide_at(tree, {fault}, 0.3);
+  const Vec3 place(1.3, -0.4, 0.2);
+  const auto once = subdivide_at(tree, {place}, 0.3);
   ASSERT_TRUE(once);
-  EXPECT_DOUBLE_EQ(once->length_at(fault.place), 0.5 * tree.length_at(fault.place));
-  EXPECT_EQ(once->length_at(fault.place - Vec3(2.5, 0, 0)), tree.length_at(fault.place - Vec3(2.5, 0, 0)));
+  EXPECT_DOUBLE_EQ(once->length_at(place), 0.5 * tree.length_at(place));
+  EXPECT_EQ(once->length_at(place - Vec3(2.5, 0, 0)), tree.length_at(place - Vec3(2.5, 0, 0)));
   EXPECT_EQ(check_octree(*once), "");
-  EXPECT_FALSE(subdivide_at(*subdivide_at(*once, {fault}, 0.3), {fault}, 0.3));
+  EXPECT_FALSE(subdivide_at(*subdivide_at(*once, {place}, 0.3), {place}, 0.3));
   EXPECT_FALSE(subdivide_at(tree, {}, 0.3));
 }
 

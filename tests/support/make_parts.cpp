@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Writes parts drawn at random, as engineers make them: octet_make_parts DIRECTORY --count N [--seed S]
-// [--kind NAME]. Part i of a seed is the same whatever is made besides; files are named SEED-INDEX-KIND.
-// Mostly STEP, some IGES and BREP, some in inches or metres, some turned or far from the origin. Only what
-// BRepCheck_Analyzer calls valid.
+// [--kind NAME]. Part i of a seed is the same whatever is made besides, by the same compiler (others draw the
+// arguments of a call in another order); files are named SEED-INDEX-KIND. Mostly STEP, some IGES and BREP,
+// some in inches or metres, some turned or far from the origin. Only what BRepCheck_Analyzer calls valid.
+#include <fmt/format.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepTools.hxx>
+#include <CLI/CLI.hpp>
 #include <IGESControl_Controller.hxx>
 #include <IGESControl_Writer.hxx>
 #include <Interface_Static.hxx>
@@ -16,11 +19,10 @@
 #include <STEPControl_Writer.hxx>
 #include <Standard_Failure.hxx>
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
 #include <exception>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include "tests/support/parts/kinds.h"
 #include "tests/support/parts/shaping.h"
@@ -30,12 +32,6 @@ namespace {
 using namespace octet::test;
 
 constexpr unsigned kSecondsPerPart = 40;  // for what OCCT does not end; such a part is left out
-
-struct Wanted {
-  std::string folder, kind;
-  int count = 100;
-  std::uint64_t seed = 1;
-};
 
 std::vector<PartKind> all_kinds() {
   std::vector<PartKind> all;
@@ -101,46 +97,35 @@ bool make_apart(const PartKind& kind, std::uint64_t seed, const std::string& ste
   return child > 0 && waitpid(child, &status, 0) == child && status == 0;
 }
 
-Wanted parse(int argc, char** argv) {
-  Wanted wanted;
-  for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    const char* const value = i + 1 < argc ? argv[i + 1] : "";
-    if (word == "--count")
-      wanted.count = std::atoi(value), ++i;
-    else if (word == "--seed")
-      wanted.seed = std::strtoull(value, nullptr, 10), ++i;
-    else if (word == "--kind")
-      wanted.kind = value, ++i;
-    else
-      wanted.folder = word;
-  }
-  return wanted;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
-  const Wanted wanted = parse(argc, argv);
-  if (wanted.folder.empty()) {
-    std::fprintf(stderr, "usage: octet_make_parts DIRECTORY [--count N] [--seed S] [--kind NAME]\n");
-    return 2;
-  }
-  Message::DefaultMessenger()->ChangePrinters().Clear();
   const std::vector<PartKind> kinds = all_kinds();
+  std::vector<std::string> names;
+  for (const PartKind& kind : kinds) names.push_back(kind.name);
+
+  std::string folder, only;
+  int count = 100;
+  std::uint64_t seed = 1;
+  CLI::App app("Writes parts drawn at random, as engineers make them");
+  app.add_option("directory", folder, "where to")->required()->check(CLI::ExistingDirectory);
+  app.add_option("--count", count, "how many are tried")->check(CLI::PositiveNumber)->capture_default_str();
+  app.add_option("--seed", seed, "others make other parts")->capture_default_str();
+  app.add_option("--kind", only, "those of one kind")->check(CLI::IsMember(names));
+  CLI11_PARSE(app, argc, argv);
+
+  Message::DefaultMessenger()->ChangePrinters().Clear();
   int made = 0;
-  for (int i = 0; i < wanted.count; ++i) {
+  for (int i = 0; i < count; ++i) {
     const PartKind& kind = kinds[static_cast<std::size_t>(i) % kinds.size()];
-    if (!wanted.kind.empty() && wanted.kind != kind.name) continue;
-    char name[32];
-    std::snprintf(name, sizeof name, "%llu-%04d-", static_cast<unsigned long long>(wanted.seed), i);
-    const std::string stem = wanted.folder + "/" + name + kind.name;
-    if (make_apart(kind, 1000003 * wanted.seed + static_cast<std::uint64_t>(i), stem))
+    if (!only.empty() && only != kind.name) continue;
+    const std::string stem = fmt::format("{}/{}-{:04}-{}", folder, seed, i, kind.name);
+    if (make_apart(kind, 1000003 * seed + static_cast<std::uint64_t>(i), stem))
       ++made;
     else
-      std::printf("%s: none\n", stem.c_str());
+      fmt::print("{}: none\n", stem);
     std::fflush(stdout);
   }
-  std::printf("%d parts\n", made);
+  fmt::print("{} parts\n", made);
   return made > 0 ? 0 : 1;
 }

@@ -4,6 +4,7 @@
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <numbers>
 
+#include "geom/occt/gathered.h"
 #include "tests/support/parts/kinds.h"
 #include "tests/support/parts/shaping.h"
 
@@ -36,7 +37,7 @@ TopoDS_Shape pinned(Draw& draw) {
     parts.push_back(pin);
   }
   parts.push_back(plate);
-  return compound(parts);
+  return compound_of(parts);
 }
 
 /// Blocks on blocks: faces that coincide in whole or in part, edges on faces, some turned.
@@ -57,7 +58,7 @@ TopoDS_Shape stacked(Draw& draw) {
     parts.push_back(part);
     z += h - misfit(draw, h);
   }
-  return compound(parts);
+  return compound_of(parts);
 }
 
 /// Rings in rings about a shaft, with balls between some: bearings and seals.
@@ -74,7 +75,7 @@ TopoDS_Shape nested(Draw& draw) {
   }
   if (draw.chance(0.4))
     parts.push_back(BRepPrimAPI_MakeTorus(gp_Ax2({0, 0, h / 2}, gp::DZ()), inner + 0.1 * r, 0.1 * r).Shape());
-  return compound(parts);
+  return compound_of(parts);
 }
 
 /// Things sunk into a block, which the block has a hollow for or, by mistake, has not.
@@ -99,7 +100,7 @@ TopoDS_Shape embedded(Draw& draw) {
     parts.push_back(thing);
   }
   parts.push_back(block);
-  return compound(parts);
+  return compound_of(parts);
 }
 
 }  // namespace

@@ -20,44 +20,29 @@
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeRevol.hxx>
-#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 #include <GProp_GProps.hxx>
 #include <Geom_Plane.hxx>
 #include <ShapeUpgrade_UnifySameDomain.hxx>
 #include <Standard_Failure.hxx>
-#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopTools_ListOfShape.hxx>
 #include <TopoDS.hxx>
-#include <TopoDS_Compound.hxx>
 #include <exception>
+
+#include "geom/occt/shape_measures.h"
+#include "geom/occt/sub_shapes.h"
 
 namespace octet::test {
 
-namespace {
-
-std::vector<TopoDS_Shape> parts_of(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
-  TopTools_IndexedMapOfShape map;
-  TopExp::MapShapes(shape, kind, map);
-  std::vector<TopoDS_Shape> parts;
-  for (int i = 1; i <= map.Extent(); ++i) parts.push_back(map(i));
-  return parts;
-}
-
-}  // namespace
-
 bool is_sound(const TopoDS_Shape& shape) {
   if (shape.IsNull() || !BRepCheck_Analyzer(shape).IsValid()) return false;
-  int solids = 0;
-  for (TopExp_Explorer it(shape, TopAbs_SOLID); it.More(); it.Next(), ++solids) {
-    GProp_GProps volume;
-    BRepGProp::VolumeProperties(it.Current(), volume);
-    if (!(volume.Mass() > 0.0)) return false;
-  }
-  return solids > 0;
+  const TopTools_IndexedMapOfShape solids = sub_shapes(shape, TopAbs_SOLID);
+  for (int i = 1; i <= solids.Extent(); ++i)
+    if (!(volume_of(solids(i)) > 0.0)) return false;
+  return !solids.IsEmpty();
 }
 
 TopoDS_Shape changed(const TopoDS_Shape& shape, const std::function<TopoDS_Shape()>& change) {
@@ -117,14 +102,6 @@ gp_Trsf shift(double x, double y, double z) {
   return result;
 }
 
-TopoDS_Shape compound(const std::vector<TopoDS_Shape>& shapes) {
-  TopoDS_Compound all;
-  BRep_Builder builder;
-  builder.MakeCompound(all);
-  for (const TopoDS_Shape& shape : shapes) builder.Add(all, shape);
-  return all;
-}
-
 TopoDS_Wire polygon(const std::vector<gp_Pnt>& corners, bool closed) {
   BRepBuilderAPI_MakePolygon wire;
   for (const gp_Pnt& p : corners) wire.Add(p);
@@ -136,8 +113,8 @@ TopoDS_Face rounded_polygon(const std::vector<gp_Pnt>& corners, double radius) {
   const TopoDS_Face sharp = BRepBuilderAPI_MakeFace(polygon(corners), true);
   if (radius <= 0.0) return sharp;
   BRepFilletAPI_MakeFillet2d round(sharp);
-  for (const TopoDS_Shape& vertex : parts_of(sharp, TopAbs_VERTEX))
-    round.AddFillet(TopoDS::Vertex(vertex), radius);
+  const TopTools_IndexedMapOfShape vertices = sub_shapes(sharp, TopAbs_VERTEX);
+  for (int i = 1; i <= vertices.Extent(); ++i) round.AddFillet(TopoDS::Vertex(vertices(i)), radius);
   round.Build();
   return round.IsDone() ? TopoDS::Face(round.Shape()) : sharp;
 }
@@ -156,12 +133,13 @@ namespace {
 std::vector<TopoDS_Shape> drawn_edges(const TopoDS_Shape& shape, Draw& draw, double share) {
   TopoDS_Shape within = shape;
   if (draw.chance(0.4)) {
-    const std::vector<TopoDS_Shape> faces = parts_of(shape, TopAbs_FACE);
-    within = faces[static_cast<std::size_t>(draw.count(1, static_cast<int>(faces.size()))) - 1];
+    const TopTools_IndexedMapOfShape faces = sub_shapes(shape, TopAbs_FACE);
+    within = faces(draw.count(1, faces.Extent()));
   }
   std::vector<TopoDS_Shape> chosen;
-  for (const TopoDS_Shape& edge : parts_of(within, TopAbs_EDGE))
-    if (!BRep_Tool::Degenerated(TopoDS::Edge(edge)) && draw.chance(share)) chosen.push_back(edge);
+  const TopTools_IndexedMapOfShape edges = sub_shapes(within, TopAbs_EDGE);
+  for (int i = 1; i <= edges.Extent(); ++i)
+    if (!BRep_Tool::Degenerated(TopoDS::Edge(edges(i))) && draw.chance(share)) chosen.push_back(edges(i));
   return chosen;
 }
 

@@ -34,7 +34,6 @@ namespace octet::test {
 [[nodiscard]] TopoDS_Shape moved(const TopoDS_Shape& shape, const gp_Trsf& by);
 [[nodiscard]] gp_Trsf turn(const gp_Ax1& about, double angle);
 [[nodiscard]] gp_Trsf shift(double x, double y, double z);
-[[nodiscard]] TopoDS_Shape compound(const std::vector<TopoDS_Shape>& shapes);
 
 [[nodiscard]] TopoDS_Wire polygon(const std::vector<gp_Pnt>& corners, bool closed = true);
 /// The face of a polygon in one plane, corners rounded with the radius where that goes.
