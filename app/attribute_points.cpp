@@ -23,6 +23,9 @@ namespace {
 constexpr double kMatchShare = 0.9;
 /// A partner this close to a point that is there already has its partner: the ball of that point.
 constexpr double kSamePoint = 0.25;
+/// Sheets are on one another where they are nearer than this share of the distance to other points; a partner
+/// farther than this share of their own distance off its place is none.
+constexpr double kThinGap = 0.25, kOffPartner = 0.5;
 /// Sheets on one another that get partners of one point.
 constexpr int kSheets = 4;
 
@@ -46,6 +49,7 @@ class AttributeLoop {
       observer.note(round_text());
       if (result_.gaps.empty() || result_.points >= limits_.points || runs_away()) return finished();
       const std::size_t before = result_.points;
+      for (const Gap& gap : result_.gaps) match_corners_within_bound(gap);
       for (const Gap& gap : result_.gaps) close_within_bound(gap);
       relabel();
       if (result_.points == before) return finished();
@@ -134,6 +138,49 @@ class AttributeLoop {
     const std::size_t before = result_.points;
     close(gap);
     spent += result_.points - before;
+  }
+
+  void match_corners_within_bound(const Gap& gap) {
+    if (gap.kind != GapKind::kNoFace) return;
+    std::size_t& spent = spent_at(gap.place);
+    if (spent >= limits_.per_cell) return;
+    const std::size_t before = result_.points;
+    match_corners(gap);
+    spent += result_.points - before;
+  }
+
+  /// A facet between sheets that lie on one another much nearer than its corners to each other, as at a cusp,
+  /// has a corner whose partner on the other sheet is missing, or is not near enough across: it gets one.
+  void match_corners(const Gap& gap) {
+    if (changed(gap.tet) || changed(mesh().neighbours[gap.tet][gap.local])) return;
+    std::array<VertexId, 3> corner;
+    for (int i = 0; i < 3; ++i) corner[i] = mesh().tets[gap.tet][kTetFace[gap.local][i]];
+    for (int i = 0; i < 3; ++i) {
+      const Vec3 p = mesh().points[corner[i]];
+      const double clear = std::min((p - mesh().points[corner[(i + 1) % 3]]).norm(),
+                                    (p - mesh().points[corner[(i + 2) % 3]]).norm());
+      match_corner(corner[i], kThinGap * clear);
+    }
+  }
+
+  void match_corner(VertexId v, double reach) {
+    const ModelRef on = on_[v.index()];
+    const Vec3 p = mesh().points[v];
+    const auto match = [&](int face, const Vec3& b) {
+      const double off = kOffPartner * (b - p).norm();
+      const TetId near = triangulation_.tet_at(v);
+      if (!near_a_point_of(model_face(face), b, off, near)) insert(b, model_face(face), near);
+    };
+    if (on.dim == 1) {
+      const Vec3 tangent = model_.edge_derivative(on.tag, model_.edge_closest(on.tag, p).t);
+      for (const FacePartner& b : face_partners(model_, on, p, tangent, reach)) match(b.face, b.point);
+    } else if (on.dim == 2) {
+      const Vec3 normal = model_.face_project(on.tag, p).normal;
+      for (const int side : {-1, 1}) {
+        const auto b = opposite_point(model_, p, on.tag, normal, side, reach);
+        if (b && b->on.dim == 2) match(b->on.tag, b->point);
+      }
+    }
   }
 
   void close(const Gap& gap) {

@@ -186,6 +186,13 @@ TopoDS_Shape foot_under_round() {
   return fuse(block, foot);
 }
 
+/// A block with a round side, and on it a boss that stands out over the round, which touches its foot's
+/// plane: at either end of the overhang a corner of 14 degrees over a gap that closes as its square.
+TopoDS_Shape boss_over_round() {
+  const TopoDS_Shape block = fuse(box(-1.5, 0, 0, 3, 2, 2), rod({-1.5, 0, 1}, gp::DX(), 1, 3));
+  return fuse(block, rod({0, 1, 2}, gp::DZ(), 1.03, 1));
+}
+
 /// A rod with a hole along it whose wall is `wall` thick at its thinnest.
 TopoDS_Shape eccentric_hole(double wall) {
   return cut(rod({0, 0, 0}, gp::DZ(), 2, 3), rod({1 - wall, 0, -1}, gp::DZ(), 1, 5));
@@ -298,6 +305,7 @@ std::vector<FamilyPart> family_parts() {
   add("roof_over_rod", [] { return roof_over_rod(); });
   add("skewed_roof", [] { return skewed_roof(); });
   add("foot_under_round", [] { return foot_under_round(); });
+  add("boss_over_round", [] { return boss_over_round(); });
   add("eccentric_hole_0_01", [] { return eccentric_hole(0.01); });
   add("tangent_rods", [] {
     return side_by_side(rod({0, 0, 0}, gp::DZ(), 1.5, 3), rod({3, 0, 0}, gp::DZ(), 1.5, 3));
