@@ -10,6 +10,7 @@
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "app/length_unit.h"
+#include "app/words.h"
 #include "base/error.h"
 #include "io/size_file.h"
 #include "io/write.h"
@@ -31,8 +32,6 @@ std::string entity_name(ModelRef on) {
   static constexpr const char* kWord[4] = {"Vertex", "Edge", "Face", "Region"};
   return fmt::format("{}{}", kWord[std::clamp(on.dim, 0, 3)], on.tag);
 }
-
-std::string place_text(const Vec3& p) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x(), p.y(), p.z()); }
 
 std::string row(const Distribution& d) {
   const auto cell = [&](double value) { return fmt::format("{:9.{}f}", told(d, value), d.angle ? 2 : 3); };

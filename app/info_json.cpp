@@ -207,13 +207,13 @@ std::string part_info_json(const std::string& part, const Model& model, const Pa
     json["smallest_face"] = {{"tag", info.smallest_face}, {"area", model.face(info.smallest_face).area}};
   if (info.thinnest) json["thinnest_wall"] = wall_json(*info.thinnest);
   json["free_edges"] = info.free_edges;
-  json["nonmanifold_edges"] = info.nonmanifold;
+  json["nonmanifold_edges"] = info.contact.edges;
   json["tiny_features"] = tiny_json(info);
   if (info.widest_gap.tag > 0)
     json["widest_gap"] = {{"dim", info.widest_gap.dim},
                           {"tag", info.widest_gap.tag},
                           {"gap", model.tolerance_of(info.widest_gap)}};
-  json["pinched_vertices"] = info.pinched;
+  json["pinched_vertices"] = info.contact.vertices;
   json["dangling_faces"] = info.dangling_faces;
   json["notes"] = model.notes();
   json["tree"] = tree_json(model);

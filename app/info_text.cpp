@@ -6,23 +6,13 @@
 
 #include <algorithm>
 
+#include "app/words.h"
+
 namespace octet {
 namespace {
 
 constexpr std::size_t kShown = 20;
-constexpr std::size_t kShownTags = 10;
 constexpr std::array<const char*, 4> kKind{"Vertex", "Edge", "Face", "Solid"};
-
-std::string place_text(const Vec3& p) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x(), p.y(), p.z()); }
-
-template <class Tags>
-std::string tag_list(const char* prefix, const Tags& tags) {
-  std::string text;
-  for (std::size_t i = 0; i < tags.size() && i < kShownTags; ++i)
-    text += fmt::format("{}{}{}", i == 0 ? "" : ", ", prefix, tags[i]);
-  if (tags.size() > kShownTags) text += fmt::format(" and {} more", tags.size() - kShownTags);
-  return text;
-}
 
 /// A heading with the number of items, and the first of them.
 std::string listed(const char* heading, const std::vector<std::string>& items) {
@@ -160,9 +150,9 @@ std::string fault_summary(const Model& model, const PartInfo& info) {
                     fault.cause, place_text(fault.place));
   if (!info.free_edges.empty())
     text += fmt::format("  free edges       {}\n", tag_list("Edge", info.free_edges));
-  if (!info.nonmanifold.empty())
+  if (!info.contact.edges.empty())
     text += fmt::format("  shared edges     {} (more than two faces of one solid)\n",
-                        tag_list("Edge", info.nonmanifold));
+                        tag_list("Edge", info.contact.edges));
   for (const int dim : {1, 2}) {
     std::vector<int> tags;
     for (const TinyFeature& feature : info.tiny)
@@ -172,9 +162,9 @@ std::string fault_summary(const Model& model, const PartInfo& info) {
           "  {}    {} (no {} than the gaps around)\n", dim == 1 ? "tiny edges   " : "sliver faces ",
           tag_list(kKind[static_cast<std::size_t>(dim)], tags), dim == 1 ? "longer" : "wider");
   }
-  if (!info.pinched.empty())
+  if (!info.contact.vertices.empty())
     text += fmt::format("  pinched vertices {} (the boundary touches itself)\n",
-                        tag_list("Vertex", info.pinched));
+                        tag_list("Vertex", info.contact.vertices));
   if (!info.dangling_faces.empty())
     text += fmt::format("  dangling faces   {}\n", tag_list("Face", info.dangling_faces));
   return text.empty() ? "  faults   none: every face bounds a region, every edge joins faces\n" : text;

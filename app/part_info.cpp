@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 
 #include "app/own_frame.h"
 #include "app/scaled_sizes.h"
@@ -20,16 +19,6 @@ std::vector<int> edge_uses(const Model& model) {
   return uses;
 }
 
-/// Whether more than two faces of one region, or towards the outside, meet in the edge. That several regions
-/// meet there is no fault.
-bool branches(const Model& model, const ModelEdge& edge) {
-  std::map<int, int> faces;
-  for (const int f : edge.faces)
-    for (const int region : model.face(f).region)
-      if (++faces[region] > 2) return true;
-  return false;
-}
-
 void add_edges(const Model& model, PartInfo& info) {
   const std::vector<int> uses = edge_uses(model);
   for (int e = 1; e <= model.count(1); ++e) {
@@ -40,7 +29,6 @@ void add_edges(const Model& model, PartInfo& info) {
     if (info.smallest_edge == 0 || edge.length < model.edge(info.smallest_edge).length)
       info.smallest_edge = e;
     if (uses[static_cast<std::size_t>(e)] < 2) info.free_edges.push_back(e);
-    if (branches(model, edge)) info.nonmanifold.push_back(e);
     if (edge.tolerance > model.tolerance_of(info.widest_gap)) info.widest_gap = model_edge(e);
   }
   for (int v = 1; v <= model.count(0); ++v)
@@ -56,46 +44,6 @@ void add_faces(const Model& model, PartInfo& info) {
     else
       info.area += face.area;
   }
-}
-
-/// Sets of faces that hang together by edges at one vertex.
-class Fans {
- public:
-  void join(int a, int b) {
-    const int root = lead(a);
-    lead_[lead(b)] = root;
-  }
-  [[nodiscard]] std::size_t count() {
-    std::set<int> leads;
-    for (const auto& [face, unused] : std::map<int, int>(lead_)) leads.insert(lead(face));
-    return leads.size();
-  }
-
- private:
-  int lead(int face) {
-    lead_.try_emplace(face, face);
-    while (lead_[face] != face) face = lead_[face];
-    return face;
-  }
-  std::map<int, int> lead_;
-};
-
-std::vector<int> pinched_vertices(const Model& model) {
-  std::vector<int> pinched;
-  for (int v = 1; v <= model.count(0); ++v) {
-    Fans fans;
-    for (const int e : model.vertex(v).edges) {
-      int last = 0;
-      for (const int f : model.edge(e).faces) {
-        const auto& region = model.face(f).region;
-        if (region[0] == region[1] || (region[0] != 0 && region[1] != 0)) continue;
-        fans.join(last == 0 ? f : last, f);
-        last = f;
-      }
-    }
-    if (fans.count() > 1) pinched.push_back(v);
-  }
-  return pinched;
 }
 
 std::vector<Interface> interfaces_of(const Model& model) {
@@ -134,7 +82,7 @@ PartInfo part_info(const Model& model) {
   add_edges(model, info);
   add_faces(model, info);
   for (int r = 1; r <= model.count(3); ++r) info.volume += model.region(r).volume;
-  info.pinched = pinched_vertices(model);
+  info.contact = self_contact(model);
   info.interfaces = interfaces_of(model);
   info.overlaps = overlaps(model.provenance(), model.count(3));
   info.changes = changed_numbers(model.provenance());

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/self_contact.h"
 #include "geom/model.h"
 #include "geom/thickness.h"
 #include "geom/tiny_features.h"
@@ -34,13 +35,10 @@ struct PartInfo {
   double volume = 0.0;    ///< of all regions, mm^3
   double area = 0.0;      ///< of all faces between two regions or a region and the outside, mm^2
   int seams = 0, degenerate = 0;
-  std::vector<int> free_edges;   ///< real edges with one face on one side only
-  std::vector<int> nonmanifold;  ///< real edges at which one region, or the outside, has more than two faces
+  std::vector<int> free_edges;  ///< real edges with one face on one side only
   std::vector<TinyFeature> tiny;
   ModelRef widest_gap;  ///< the edge or vertex of the largest measured tolerance; tag 0: none
-  /// Vertices at which the boundary towards the outside touches itself: its faces there are not one fan over
-  /// common edges. Legal, but no mesh is a manifold there.
-  std::vector<int> pinched;
+  SelfContact contact;
   std::vector<int> dangling_faces;    ///< faces with the same region, or none, on both sides
   std::vector<Interface> interfaces;  ///< ascending by regions
   std::vector<Overlap> overlaps;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/self_contact.h"
+
 namespace octet {
 namespace {
 
@@ -102,6 +104,8 @@ std::string mesh_report_json(const RunNames& names, const Model& model, const Me
                         {"dim", farthest->entity.dim},
                         {"tag", farthest->entity.tag},
                         {"place", vec_json(farthest->place)}};
+  const SelfContact contact = self_contact(model);
+  json["touches_itself"] = {{"edges", contact.edges}, {"vertices", contact.vertices}};
   json["times"] = Json::array();
   for (const StageTime& time : report.times)
     json["times"].push_back({{"stage", time.name},

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <optional>
 
+#include "app/self_contact.h"
+#include "app/words.h"
 #include "geom/tiny_features.h"
 
 namespace octet {
@@ -15,8 +17,6 @@ namespace {
 
 constexpr double kDegree = 180.0 / M_PI;
 constexpr std::size_t kShownFaults = 10;
-
-std::string place_text(const Vec3& p) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x(), p.y(), p.z()); }
 
 std::string fault_line(const Model& model, const Fault& fault) {
   std::string line = fault.entity.valid() ? model.describe(fault.entity) + " " : std::string();
@@ -53,6 +53,18 @@ std::string shortfall_line(const Model& model, const SizeShortfall& shortfall) {
       "{:.3g} mm of {:.3g}, on {} at {}{}\n",
       "short", shortfall.edges, worst.length, worst.asked, model.describe(worst.entity),
       place_text(worst.place), advice);
+}
+
+/// The part's doing, and no fault: but who takes the boundary for a manifold wants to know.
+std::string contact_line(const Model& model) {
+  const SelfContact contact = self_contact(model);
+  if (contact.edges.empty() && contact.vertices.empty()) return {};
+  const std::string edges =
+      contact.edges.empty() ? std::string() : " along " + tag_list("Edge", contact.edges);
+  const std::string vertices =
+      contact.vertices.empty() ? std::string() : " at " + tag_list("Vertex", contact.vertices);
+  return fmt::format("  {:<9}itself{}{}{}: the boundary is no manifold there\n", "touches", edges,
+                     edges.empty() || vertices.empty() ? "" : ", and", vertices);
 }
 
 /// What reading changed in the part, or could not.
@@ -107,6 +119,7 @@ std::string mesh_summary(const Model& model, const MeshReport& report) {
   text += measure_line("volume", "mm^3", report.volume, report.cad_volume);
   text += measure_line("area", "mm^2", report.area, report.cad_area);
   text += distance_line(model, report.acceptance.farthest());
+  text += contact_line(model);
   text += times_line(report.times);
   text += note_lines(model);
   if (!report.warnings.empty())

@@ -71,6 +71,25 @@ TEST(MeshCommand, SaysWhichLengthToDefeatureBy) {
   EXPECT_EQ(after.out.find(option), std::string::npos) << after.out;
 }
 
+TEST(MeshCommand, SaysWhereThePartTouchesItself) {
+  const TemporaryDirectory out;
+  const std::string part = out.file("steps.brep"), report = out.file("report.json");
+  const TopoDS_Shape low = BRepPrimAPI_MakeBox(10.0, 10.0, 10.0).Shape(),
+                     across = BRepPrimAPI_MakeBox(gp_Pnt(10.0, 10.0, 0.0), 10.0, 10.0, 10.0).Shape();
+  ASSERT_TRUE(BRepTools::Write(BRepAlgoAPI_Fuse(low, across).Shape(), part.c_str()));
+  const auto run = run_octet({"mesh", part, "-o", out.file("a.msh"), "--size", "5", "--report", report});
+  EXPECT_EQ(run.exit_code, kExitComplete) << run.out;
+  const std::size_t line = run.out.find("touches  itself along Edge");
+  ASSERT_NE(line, std::string::npos) << run.out;
+  const Json contact = Json::parse(read_bytes(report)).at("touches_itself");
+  ASSERT_EQ(contact.at("edges").size(), 1u);
+  EXPECT_NE(run.out.find(fmt::format("Edge{}: the boundary", contact.at("edges")[0].get<int>()), line),
+            std::string::npos)
+      << run.out;
+  EXPECT_TRUE(contact.at("vertices").empty());
+  EXPECT_EQ(run_octet({"mesh", bracket(), "-o", out.file("b.msh")}).out.find("touches"), std::string::npos);
+}
+
 /// Reading and writing included.
 TEST(MeshCommand, OneThreadKeepsToOneCore) {
   const TemporaryDirectory out;
