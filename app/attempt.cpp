@@ -9,6 +9,7 @@
 #include "base/blocks.h"
 #include "base/predicates.h"
 #include "base/vertex_order.h"
+#include "octree/tips.h"
 
 namespace octet {
 namespace {
@@ -110,6 +111,16 @@ Vec3 rounded(const Vec3& p, double unit) {
   return {std::round(p.x() / unit) * unit, std::round(p.y() / unit) * unit, std::round(p.z() / unit) * unit};
 }
 
+/// A point of a face that lies in a sharp tip goes to the tip's ring.
+std::optional<OtherPlace> out_of_tips(const Model& model, const Tips& tips, int face, const Vec3& p) {
+  constexpr double kClear = 0.5;  // of the ring's radius
+  const Tip* tip = tips.holder(face, p);
+  if (tip == nullptr) return std::nullopt;
+  const std::optional<Vec3> on_ring = ring_point(model, *tip, face, p);
+  if (!on_ring) return std::nullopt;
+  return OtherPlace{*on_ring, kClear * tip->ring_radius()};
+}
+
 }  // namespace
 
 int Attempt::region_of(const Model& model, const Vec3& p) const {
@@ -180,6 +191,8 @@ void close_holes(Attempt& attempt, const Model& model, double size, AttributeLim
                  Observer& observer) {
   const EdgeIndex edges(model, size);
   limits.cell_at = [&](const Vec3& p) { return std::size_t{attempt.tree.find(p).index()}; };
+  const Tips tips(model, attempt.tree);
+  limits.elsewhere = [&](int face, const Vec3& p) { return out_of_tips(model, tips, face, p); };
   attempt.closed =
       close_gaps(attempt.triangulation, *attempt.band, *attempt.chains, attempt.on, edges, limits, observer);
 }

@@ -412,8 +412,12 @@ class AttributeLoop {
     });
   }
 
-  std::optional<VertexId> insert(const Vec3& p, ModelRef on, TetId near) {
+  std::optional<VertexId> insert(Vec3 p, ModelRef on, TetId near) {
     if (near.valid() && !mesh().alive(near)) near = TetId();
+    if (on.dim == 2 && limits_.elsewhere) {
+      const std::optional<OtherPlace> other = limits_.elsewhere(on.tag, p);
+      if (other && !near_a_point_of(on, other->point, other->clear, near)) p = other->point;
+    }
     const VertexId v = triangulation_.insert(p, free_point_rank(on_.size()), near, created_);
     if (v.index() < on_.size()) {
       ++result_.rejected;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "base/observer.h"
@@ -15,6 +16,12 @@
 
 namespace octet {
 
+/// On the same face.
+struct OtherPlace {
+  Vec3 point = Vec3::Zero();
+  double clear = 0.0;  ///< how far from others of the face
+};
+
 struct AttributeLimits {
   std::size_t rounds = 60;
   std::size_t points = 0;                                      ///< at most so many attribute points
@@ -24,6 +31,9 @@ struct AttributeLimits {
   /// none: one cell.
   std::function<std::size_t(const Vec3&)> cell_at;
   std::size_t per_cell = std::numeric_limits<std::size_t>::max();
+  /// Where a point of a face goes rather than to its own place, if no point of the face is there yet; none:
+  /// it stays.
+  std::function<std::optional<OtherPlace>(int face, const Vec3&)> elsewhere;
 };
 
 struct AttributeResult {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <optional>
 #include <vector>
 
 #include "octree/seed_state.h"
@@ -56,6 +57,7 @@ class EdgeSeeder {
 
   void run() {
     match_vertices();
+    stop_at_rings();
     for (int e = 1; e <= model_.count(1); ++e) {
       if (model_.edge(e).use != EdgeUse::kReal) continue;
       subdivide(e);
@@ -100,6 +102,16 @@ class EdgeSeeder {
     match_pending();
   }
 
+  /// Edges along a sharp tip have a point of its ring.
+  void stop_at_rings() {
+    for (const Tip& tip : state_.tips.all())
+      for (const int e : model_.vertex(tip.vertex).edges) {
+        if (model_.edge(e).use != EdgeUse::kReal) continue;
+        if (const std::optional<double> t = ring_parameter(model_, tip, e)) add_stop(e, *t, kEdgeSpacing);
+      }
+    match_pending();
+  }
+
   void match_pending() {
     while (!pending_.empty()) {
       const Stop stop = pending_.front();
@@ -126,6 +138,13 @@ class EdgeSeeder {
     return 1;
   }
 
+  /// Whether a face that the edge bounds should have no point there.
+  [[nodiscard]] bool is_in_tip(int tag, double t) const {
+    const std::vector<int>& faces = model_.edge(tag).faces;
+    return std::any_of(faces.begin(), faces.end(),
+                       [&](int face) { return state_.tips.holder(face, model_.edge_point(tag, t)); });
+  }
+
   void subdivide(int tag) {
     const ModelEdge& edge = model_.edge(tag);
     const SizedLength length(state_, tag);
@@ -135,10 +154,11 @@ class EdgeSeeder {
     for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
       const double sa = length.at(ends[i]), sb = length.at(ends[i + 1]);
       // A piece may be up to a quarter longer than the size: fewer, better pieces.
-      const int n = std::max(least_pieces(tag, ends[i], ends[i + 1]),
-                             static_cast<int>(std::ceil((sb - sa) / kPieceLength - 0.5)));
+      const int least = least_pieces(tag, ends[i], ends[i + 1]);
+      const int n = std::max(least, static_cast<int>(std::ceil((sb - sa) / kPieceLength - 0.5)));
       for (int k = 1; k < n; ++k) {
         const double t = length.parameter(sa + (sb - sa) * k / n);
+        if (n > least && is_in_tip(tag, t)) continue;
         std::vector<double>& stops = stops_[tag];
         stops.insert(std::lower_bound(stops.begin(), stops.end(), t), t);
         pending_.push_back({tag, t});

@@ -28,8 +28,21 @@ class FaceSeeder {
         match(piece.b, model_.edge_derivative(piece.edge, piece.tb));
   }
 
+  /// The rings of sharp tips.
+  void add_rings() {
+    for (const Tip& tip : state_.tips.all())
+      for (const Vec3& place : ring_places(tip))
+        for (const int face : tip.faces) {
+          const std::optional<Vec3> p = ring_point(model_, tip, face, place);
+          if (!p) continue;
+          const FacePoint a{*p, face, ring_spacing(tip)};
+          if (is_free(a)) add(a);
+        }
+  }
+
   void offer(const Hit& hit) {
     if (hit.on.dim != 2 || hit.kind != HitKind::kTransversal) return;
+    if (state_.tips.holder(hit.on.tag, hit.point)) return;
     const FacePoint a{hit.point, hit.on.tag, state_.tree.spacing_at(hit.point)};
     if (!is_free(a)) return;
     std::vector<FacePoint> partners;
@@ -90,6 +103,7 @@ void seed_model_faces(SeedState& state, const std::vector<OctantEdgeCut>& cuts,
   constexpr std::size_t kCutsAQuestion = 4096;
   FaceSeeder seeder(state);
   seeder.match_vertices_and_edges();
+  seeder.add_rings();
   for (std::size_t i = 0; i < cuts.size(); ++i) {
     if (i % kCutsAQuestion == 0 && cancelled && cancelled()) throw Cancelled();
     seeder.offer(cuts[i].hit);

@@ -15,6 +15,7 @@
 #include <BRepLib.hxx>
 #include <BRepOffsetAPI_MakePipeShell.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeRevol.hxx>
@@ -193,6 +194,11 @@ TopoDS_Shape boss_over_round() {
   return fuse(block, rod({0, 1, 2}, gp::DZ(), 1.03, 1));
 }
 
+/// A cone on its base of radius 1, `angle` of a whole one.
+TopoDS_Shape sharp_cone(double height, double angle = 2.0 * std::numbers::pi) {
+  return BRepPrimAPI_MakeCone(gp_Ax2(gp_Pnt(0, 0, 0), gp::DZ()), 1.0, 0.0, height, angle).Shape();
+}
+
 /// A rod with a hole along it whose wall is `wall` thick at its thinnest.
 TopoDS_Shape eccentric_hole(double wall) {
   return cut(rod({0, 0, 0}, gp::DZ(), 2, 3), rod({1 - wall, 0, -1}, gp::DZ(), 1, 5));
@@ -306,6 +312,11 @@ std::vector<FamilyPart> family_parts() {
   add("skewed_roof", [] { return skewed_roof(); });
   add("foot_under_round", [] { return foot_under_round(); });
   add("boss_over_round", [] { return boss_over_round(); });
+  for (const int height : {5, 20})
+    add("sharp_cone_" + std::to_string(height), [=] { return sharp_cone(height); });
+  add("sharp_half_cone", [] { return sharp_cone(8, std::numbers::pi); });
+  add("spike_on_a_block", [] { return fuse(box(-2, -2, -1, 4, 4, 1), sharp_cone(12)); });
+  add("sharp_hole", [] { return cut(box(-2, -2, 0, 4, 4, 11), sharp_cone(10)); });
   add("eccentric_hole_0_01", [] { return eccentric_hole(0.01); });
   add("tangent_rods", [] {
     return side_by_side(rod({0, 0, 0}, gp::DZ(), 1.5, 3), rod({3, 0, 0}, gp::DZ(), 1.5, 3));

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sharp tips: model vertices in which faces wind about an axis and narrow to nothing, as a cone does at its
+// apex.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "geom/model.h"
+#include "octree/octree.h"
+
+namespace octet {
+
+/// Near its vertex a tip is too narrow for points at the local size: two across one another enclose nothing,
+/// and tetrahedra about them are as flat as the tip is thin. So nothing is put between the vertex and a ring
+/// of six points, all as far from it, at the first place where six have room. One ball passes through the
+/// vertex and such a ring, and it holds no other point of the faces: what lies between them is Delaunay
+/// where no octree vertex is in that ball.
+struct Tip {
+  int vertex = 0;
+  std::vector<int> faces;            ///< those that narrow, ascending
+  std::vector<int> faces_at_vertex;  ///< all that have the vertex, ascending
+  Vec3 place = Vec3::Zero();         ///< of the vertex
+  Vec3 along = Vec3::Zero();         ///< the axis, into the faces, unit
+  double taper = 0.0;                ///< radius over distance from the vertex
+  double reach = 0.0;                ///< distance of the ring from the vertex
+
+  [[nodiscard]] double ring_radius() const { return taper * reach; }
+  /// Whether p, a point of that face, lies between the vertex and the ring.
+  [[nodiscard]] bool holds(int face, const Vec3& p) const;
+};
+
+class Tips {
+ public:
+  /// Cost: one look at all facets where the model has degenerate edges.
+  Tips(const Model& model, const Octree& tree);
+
+  [[nodiscard]] const std::vector<Tip>& all() const { return tips_; }
+  /// The tip that holds p, a point of that face; null for none.
+  [[nodiscard]] const Tip* holder(int face, const Vec3& p) const;
+  /// Whether p, a place off the boundary, lies in the ball of a tip, or so near that it is in its way.
+  [[nodiscard]] bool are_beside(const Vec3& p) const;
+
+ private:
+  std::vector<Tip> tips_;
+};
+
+/// Places of a tip's ring, about the axis. Those that lie on no face of the tip get no point.
+[[nodiscard]] std::vector<Vec3> ring_places(const Tip& tip);
+/// The point of the face on the tip's ring that is nearest to the way from the vertex to p; none beyond the
+/// face's boundary.
+[[nodiscard]] std::optional<Vec3> ring_point(const Model& model, const Tip& tip, int face, const Vec3& p);
+/// Parameter at which an edge that ends in the tip's vertex passes the ring; none where it ends before, or is
+/// not along the tip.
+[[nodiscard]] std::optional<double> ring_parameter(const Model& model, const Tip& tip, int edge);
+/// The local size for which the ring has been chosen.
+[[nodiscard]] double ring_spacing(const Tip& tip);
+
+}  // namespace octet
