@@ -21,6 +21,7 @@
 #include "geom/occt/entity_names.h"
 #include "geom/occt/folds.h"
 #include "geom/occt/hairlines.h"
+#include "geom/occt/missing_poles.h"
 #include "geom/occt/rings.h"
 #include "geom/occt/sew.h"
 #include "geom/occt/shape_box.h"
@@ -57,6 +58,7 @@ class Healer {
       curves_.renew(set_.solids[i]);
       curves_.add_pole_edges(set_.solids[i]);
       turn_faces(set_.solids[i]);
+      restore_poles(set_.solids[i]);
       choose_sides(set_.solids[i]);
       close(set_.solids[i]);
       take_small_features(set_.solids[i]);
@@ -101,6 +103,16 @@ class Healer {
         fmt::format("faces of {} were turned so that they agree along their edges, first at {}",
                     names_.solid(solid), names_.numbered("Edge", 1, uses.edges(wrong))));
     replace(solid, made);
+  }
+
+  void restore_poles(TopoDS_Shape& solid) {
+    const Repair restored = add_missing_poles(solid);
+    if (restored.entities.empty()) return;
+    set_.notes.push_back(fmt::format(
+        "{} face(s) of revolution of {} lacked the pole on their axis, and got it: {}",
+        restored.entities.size(), names_.solid(solid), names_.listed("Face", 2, restored.entities)));
+    set_.history->Merge(restored.history);
+    replace(solid, restored.solid);
   }
 
   void choose_sides(TopoDS_Shape& solid) {

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Faces of revolution that lost their pole.
+#pragma once
+
+#include "geom/occt/repair.h"
+
+namespace octet {
+
+/// A face of revolution whose only loop goes once around the axis gets the pole that lies on the face's side
+/// of the loop, where its meridian meets the axis, and a seam from there to the loop. OCCT's reader looks for
+/// poles at the ends of a surface's range alone; the meridian of an ogive is a whole circle, which goes on
+/// beyond the axis, and of its face the reader leaves the loop. `entities`: the faces.
+[[nodiscard]] Repair add_missing_poles(const TopoDS_Shape& solid);
+
+}  // namespace octet
