@@ -37,28 +37,37 @@ double radius_at(const Model& model, int face, const Vec3& place) {
   return curvature > 0.0 ? 1.0 / curvature : model.diagonal();
 }
 
-/// Places on the sides of a face's facets, no farther from each other along them than `spacing`.
-std::vector<Vec3> places_along(const Model& model, int face, double spacing) {
-  const Facets& facets = model.facets();
-  std::vector<Vec3> places;
-  for (std::size_t n = 0; n < facets.triangles.size(); ++n) {
-    if (facets.face[n] != face) continue;
-    const std::array<Vec3, 3> corner = facet_corners(facets, n);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Vec3 way = corner[(k + 1) % 3] - corner[k];
-      const double steps = std::ceil(way.norm() / spacing);
-      for (double i = 0.0; i < steps && places.size() < kMostNarrowPlaces; ++i)
-        places.push_back(corner[k] + (i / steps) * way);
-    }
-  }
-  return places;
-}
-
 /// A place, and the longest octant that is wanted there.
 struct SizedPlace {
   Vec3 place;
   double longest;
 };
+
+/// Places on the sides of a face's facets where its radius of curvature is narrow for the tree's octants, no
+/// farther apart along a side than that radius; where it is less than `least`, that is taken.
+std::vector<SizedPlace> narrow_places(const Model& model, int face, const Octree& tree, double least) {
+  const Facets& facets = model.facets();
+  std::vector<SizedPlace> places;
+  for (std::size_t n = 0; n < facets.triangles.size(); ++n) {
+    if (facets.face[n] != face) continue;
+    const std::array<Vec3, 3> corner = facet_corners(facets, n);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t next = (k + 1) % 3;
+      const Vec3 way = corner[next] - corner[k];
+      const Vec2 uv_way = facets.uv[n][next] - facets.uv[n][k];
+      // Not from the corner itself, which may be a pole, where derivatives are nought.
+      double step = least / way.norm();
+      for (double t = std::min(0.5, 0.5 * step); t < 1.0 && places.size() < kMostNarrowPlaces; t += step) {
+        const Vec3 place = corner[k] + t * way;
+        const double curvature = model.face_curvature(face, facets.uv[n][k] + t * uv_way);
+        const double radius = curvature > 0.0 ? std::max(least, 1.0 / curvature) : model.diagonal();
+        if (radius <= kNarrowShare * tree.length_at(place)) places.push_back({place, radius});
+        step = radius / way.norm();
+      }
+    }
+  }
+  return places;
+}
 
 /// Octants of a tree that are to be refined; none becomes shorter than half of `finest`.
 class Subdivision {
@@ -237,7 +246,8 @@ std::optional<Octree> subdivide_at_gaps(const Attempt& attempt, const Model& mod
     const double radius = radius_at(model, gap.entity.tag, gap.place);
     if (radius > kNarrowShare * attempt.tree.length_at(gap.place)) continue;
     narrow.insert(gap.entity.tag);
-    for (const Vec3& place : places_along(model, gap.entity.tag, radius)) wanted.push_back({place, radius});
+    const std::vector<SizedPlace> places = narrow_places(model, gap.entity.tag, attempt.tree, radius);
+    wanted.insert(wanted.end(), places.begin(), places.end());
   }
   subdivision.refine_to(wanted);
   return std::move(subdivision).tree();

@@ -2,6 +2,8 @@
 // Thin, sharp, touching and crowded parts come out complete, however they are turned.
 #include <gtest/gtest.h>
 
+#include <BRepPrimAPI_MakeCone.hxx>
+
 #include <filesystem>
 #include <tuple>
 
@@ -65,6 +67,19 @@ TEST(CoarseSizes, HolesMuchNarrowerThanTheLeastSizeAreComplete) {
     }
   }
   EXPECT_EQ(parts, 2);
+}
+
+/// Octants as fine as its end all along it would be millions.
+TEST(Needles, TheirOctantsAreAsFineAsTheirEndsOnlyThere) {
+  const Model model = model_from_shape(BRepPrimAPI_MakeCone(0.5, 0.003, 60.0).Shape());
+  MeshOptions options;
+  options.size = kEdgePerOctant / kSpacingPerOctant;
+  options.wall_elements = 0.0;
+  options.max_elements = 2'000'000;
+  const MeshResult result = mesh_part(model, options);
+  EXPECT_EQ(result.report.status, MeshStatus::kComplete);
+  EXPECT_GT(result.report.tets, 10'000u);
+  EXPECT_LT(result.report.tets, 200'000u);
 }
 
 /// Wherever they lie between the octants' planes: what closes at one place of the lattice alone closes by
