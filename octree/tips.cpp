@@ -84,6 +84,14 @@ struct Sides {
   }
 };
 
+/// Those at the vertex that point as the shape does; null: none.
+Sides* like(std::vector<Sides>& sides, int vertex, const Shape& shape) {
+  const auto same = std::find_if(sides.begin(), sides.end(), [&](const Sides& other) {
+    return other.vertex == vertex && other.are_of(shape);
+  });
+  return same == sides.end() ? nullptr : &*same;
+}
+
 /// How far from the pole a ring of points has room.
 double reach_of(const Tip& tip, double length, const Octree& tree) {
   constexpr double kStep = 1.05;
@@ -118,15 +126,14 @@ Shapes shapes_at_poles(const Model& model) {
 
 Tips::Tips(const Model& model, const Octree& tree) {
   std::vector<Sides> sides;
-  for (const auto& [at, shape] : shapes_at_poles(model)) {
+  for (const auto& found : shapes_at_poles(model)) {
+    const auto [vertex, face] = found.first;
+    const Shape& shape = found.second;
     if (shape.taper <= 0.0 || shape.taper > kSharp) continue;
-    const auto same = std::find_if(sides.begin(), sides.end(), [&](const Sides& other) {
-      return other.vertex == at.first && other.are_of(shape);
-    });
-    if (same == sides.end())
-      sides.push_back({at.first, {at.second}, shape});
+    if (Sides* same = like(sides, vertex, shape))
+      same->join(face, shape);
     else
-      same->join(at.second, shape);
+      sides.push_back({vertex, {face}, shape});
   }
   for (const Sides& of : sides) {
     Tip tip{of.vertex, of.faces, {}, model.vertex(of.vertex).point, axis_of(of.shape), of.shape.taper, 0.0};
