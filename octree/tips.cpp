@@ -35,6 +35,23 @@ struct Shape {
   [[nodiscard]] Vec3 mean() const {
     return std::accumulate(sides.begin(), sides.end(), Vec3(Vec3::Zero())).normalized();
   }
+  /// Whether the sides wind about an axis: those of half a cone spread by a third of its taper in their
+  /// lesser direction, of a quarter by a tenth, as much as those of fillets that run out in a point, which
+  /// gain nothing from a ring.
+  [[nodiscard]] bool winds() const {
+    constexpr double kLeastSpread = 0.2;
+    const Eigen::Vector3d squares = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread()).eigenvalues();
+    return squares[1] >= std::pow(kLeastSpread * taper, 2);
+  }
+  /// Covariance of the sides' ends.
+  [[nodiscard]] Eigen::Matrix3d spread() const {
+    const double share = 1.0 / static_cast<double>(sides.size());
+    Vec3 centre = Vec3::Zero();
+    for (const Vec3& side : sides) centre += share * side;
+    Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+    for (const Vec3& side : sides) sum += share * (side - centre) * (side - centre).transpose();
+    return sum;
+  }
   void add(const Model& model, std::size_t facet, const Vec3& pole) {
     const Facets& facets = model.facets();
     const int face = facets.face[facet];
@@ -57,11 +74,7 @@ struct Shape {
 /// to be told from a few sides, their mean.
 Vec3 axis_of(const Shape& shape) {
   const Vec3 mean = shape.mean();
-  Vec3 centre = Vec3::Zero();
-  for (const Vec3& side : shape.sides) centre += side / static_cast<double>(shape.sides.size());
-  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-  for (const Vec3& side : shape.sides) spread += (side - centre) * (side - centre).transpose();
-  Vec3 axis = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(0);
+  Vec3 axis = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(shape.spread()).eigenvectors().col(0);
   if (axis.dot(mean) < 0.0) axis = -axis;
   return axis.cross(mean).norm() <= 1.5 * shape.taper ? axis : mean;
 }
@@ -136,6 +149,7 @@ Tips::Tips(const Model& model, const Octree& tree) {
       sides.push_back({vertex, {face}, shape});
   }
   for (const Sides& of : sides) {
+    if (!of.shape.winds()) continue;
     Tip tip{of.vertex, of.faces, {}, model.vertex(of.vertex).point, axis_of(of.shape), of.shape.taper, 0.0};
     tip.reach = reach_of(tip, of.shape.length, tree);
     for (int f = 1; f <= model.count(2); ++f) {

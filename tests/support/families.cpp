@@ -315,6 +315,7 @@ std::vector<FamilyPart> family_parts() {
   for (const int height : {5, 20})
     add("sharp_cone_" + std::to_string(height), [=] { return sharp_cone(height); });
   add("sharp_half_cone", [] { return sharp_cone(8, std::numbers::pi); });
+  add("sharp_quarter_cone", [] { return sharp_cone(8, 0.5 * std::numbers::pi); });
   add("spike_on_a_block", [] { return fuse(box(-2, -2, -1, 4, 4, 1), sharp_cone(12)); });
   add("sharp_hole", [] { return cut(box(-2, -2, 0, 4, 4, 11), sharp_cone(10)); });
   add("eccentric_hole_0_01", [] { return eccentric_hole(0.01); });
