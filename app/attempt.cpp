@@ -31,10 +31,14 @@ constexpr double kNarrowShare = 0.25;
 /// Places along narrow faces at which octants are refined at once; longer ones wait for further attempts.
 constexpr std::size_t kMostNarrowPlaces = 50'000;
 
+double radius_at(const Model& model, int face, const Vec2& uv) {
+  const double curvature = model.face_curvature(face, uv);
+  return curvature > 0.0 ? 1.0 / curvature : model.diagonal();
+}
+
 double radius_at(const Model& model, int face, const Vec3& place) {
   const FaceFoot foot = model.face_project(face, place);
-  const double curvature = foot.converged ? model.face_curvature(face, foot.uv) : 0.0;
-  return curvature > 0.0 ? 1.0 / curvature : model.diagonal();
+  return foot.converged ? radius_at(model, face, foot.uv) : model.diagonal();
 }
 
 /// A place, and the longest octant that is wanted there.
@@ -59,8 +63,7 @@ std::vector<SizedPlace> narrow_places(const Model& model, int face, const Octree
       double step = least / way.norm();
       for (double t = std::min(0.5, 0.5 * step); t < 1.0 && places.size() < kMostNarrowPlaces; t += step) {
         const Vec3 place = corner[k] + t * way;
-        const double curvature = model.face_curvature(face, facets.uv[n][k] + t * uv_way);
-        const double radius = curvature > 0.0 ? std::max(least, 1.0 / curvature) : model.diagonal();
+        const double radius = std::max(least, radius_at(model, face, Vec2(facets.uv[n][k] + t * uv_way)));
         if (radius <= kNarrowShare * tree.length_at(place)) places.push_back({place, radius});
         step = radius / way.norm();
       }
@@ -200,8 +203,7 @@ void close_holes(Attempt& attempt, const Model& model, double size, AttributeLim
                  Observer& observer) {
   const EdgeIndex edges(model, size);
   limits.cell_at = [&](const Vec3& p) { return std::size_t{attempt.tree.find(p).index()}; };
-  const Tips tips(model, attempt.tree);
-  limits.elsewhere = [&](int face, const Vec3& p) { return out_of_tips(model, tips, face, p); };
+  limits.elsewhere = [&](int face, const Vec3& p) { return out_of_tips(model, attempt.seeds.tips, face, p); };
   attempt.closed =
       close_gaps(attempt.triangulation, *attempt.band, *attempt.chains, attempt.on, edges, limits, observer);
 }

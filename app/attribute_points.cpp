@@ -412,6 +412,7 @@ class AttributeLoop {
     });
   }
 
+  /// At p or elsewhere on its face; partners are matched with p, where the tetrahedra want it.
   std::optional<VertexId> insert(Vec3 p, ModelRef on, TetId near) {
     if (near.valid() && !mesh().alive(near)) near = TetId();
     if (on.dim == 2 && limits_.elsewhere) {

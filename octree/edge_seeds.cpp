@@ -104,7 +104,7 @@ class EdgeSeeder {
 
   /// Edges along a sharp tip have a point of its ring.
   void stop_at_rings() {
-    for (const Tip& tip : state_.tips.all())
+    for (const Tip& tip : state_.seeds.tips.all())
       for (const int e : model_.vertex(tip.vertex).edges) {
         if (model_.edge(e).use != EdgeUse::kReal) continue;
         if (const std::optional<double> t = ring_parameter(model_, tip, e)) add_stop(e, *t, kEdgeSpacing);
@@ -142,7 +142,7 @@ class EdgeSeeder {
   [[nodiscard]] bool is_in_tip(int tag, double t) const {
     const std::vector<int>& faces = model_.edge(tag).faces;
     return std::any_of(faces.begin(), faces.end(),
-                       [&](int face) { return state_.tips.holder(face, model_.edge_point(tag, t)); });
+                       [&](int face) { return state_.seeds.tips.holder(face, model_.edge_point(tag, t)); });
   }
 
   void subdivide(int tag) {

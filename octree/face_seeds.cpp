@@ -30,7 +30,7 @@ class FaceSeeder {
 
   /// The rings of sharp tips.
   void add_rings() {
-    for (const Tip& tip : state_.tips.all())
+    for (const Tip& tip : state_.seeds.tips.all())
       for (const Vec3& place : ring_places(tip))
         for (const int face : tip.faces) {
           const std::optional<Vec3> p = ring_point(model_, tip, face, place);
@@ -42,7 +42,7 @@ class FaceSeeder {
 
   void offer(const Hit& hit) {
     if (hit.on.dim != 2 || hit.kind != HitKind::kTransversal) return;
-    if (state_.tips.holder(hit.on.tag, hit.point)) return;
+    if (state_.seeds.tips.holder(hit.on.tag, hit.point)) return;
     const FacePoint a{hit.point, hit.on.tag, state_.tree.spacing_at(hit.point)};
     if (!is_free(a)) return;
     std::vector<FacePoint> partners;

@@ -5,7 +5,6 @@
 #include "geom/edge_match.h"
 #include "octree/point_grid.h"
 #include "octree/seeds.h"
-#include "octree/tips.h"
 
 namespace octet {
 
@@ -19,8 +18,9 @@ struct SeedState {
         tree(t),
         points_grid(t.origin(), t.root_size()),
         piece_grid(t.origin(), t.root_size()),
-        edge_index(m, edge_cell),
-        tips(m, t) {}
+        edge_index(m, edge_cell) {
+    seeds.tips = Tips(m, t);
+  }
 
   const Model& model;
   const Octree& tree;
@@ -28,7 +28,6 @@ struct SeedState {
   PointGrid points_grid;  ///< all points so far
   PointGrid piece_grid;   ///< midpoints of edge pieces, in cells of the local size or their length
   EdgeIndex edge_index;
-  Tips tips;
 
   std::uint32_t add(const Vec3& p, ModelRef on, double spacing) {
     const auto n =

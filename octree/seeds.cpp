@@ -165,7 +165,7 @@ void seed_octree_vertices(SeedState& state, const OctreeVertices& vertices, cons
     // Outside, those in narrow gaps and small voids tell what lies there; along open ground none is needed.
     const bool wanted =
         labels.vertex_region[v] != 0 || (ring[v] == 0 && open[v] == 0) || is_pillar(vertices.at[v], spacing);
-    if (wanted && state.tips.are_beside(state.tree.position(vertices.at[v]))) return;
+    if (wanted && seeds.tips.are_beside(state.tree.position(vertices.at[v]))) return;
     kept[v] = wanted && (ring[v] == 2 ? !is_vague(v) : is_clear(v)) ? 1 : 0;
   });
   seeds.surface_points = seeds.points.size();

@@ -8,6 +8,7 @@
 
 #include "base/seed_points.h"
 #include "octree/cuts.h"
+#include "octree/tips.h"
 
 namespace octet {
 
@@ -18,6 +19,7 @@ struct Seeds {
   std::size_t surface_points = 0;                ///< points below this number lie on the boundary
   std::vector<std::uint8_t> octree_vertex_kept;  ///< per octree vertex: whether it is a point
   std::vector<std::uint32_t> octree_point;  ///< per octree vertex: its seed number, UINT32_MAX when dropped
+  Tips tips;                                ///< where points keep to a ring
 };
 
 struct SeedOptions {

@@ -73,10 +73,11 @@ struct Shape {
 /// The direction that has the same angle with all sides: their ends lie in a plane across it. Where it is not
 /// to be told from a few sides, their mean.
 Vec3 axis_of(const Shape& shape) {
+  constexpr double kMostTilt = 1.5;  // of a taper, the mean of the sides against their axis
   const Vec3 mean = shape.mean();
   Vec3 axis = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(shape.spread()).eigenvectors().col(0);
   if (axis.dot(mean) < 0.0) axis = -axis;
-  return axis.cross(mean).norm() <= 1.5 * shape.taper ? axis : mean;
+  return axis.cross(mean).norm() <= kMostTilt * shape.taper ? axis : mean;
 }
 
 /// Faces about one vertex that point the same way.
@@ -165,9 +166,13 @@ bool Tip::holds(int face, const Vec3& p) const {
   const Vec3 away = p - place;
   if (away.norm() >= reach * (1.0 - kRounding)) return false;
   if (std::binary_search(faces.begin(), faces.end(), face)) return true;
+  return std::binary_search(faces_at_vertex.begin(), faces_at_vertex.end(), face) && leads_to(p);
+}
+
+bool Tip::leads_to(const Vec3& p) const {
+  const Vec3 away = p - place;
   const double height = away.dot(along);
-  return std::binary_search(faces_at_vertex.begin(), faces_at_vertex.end(), face) &&
-         (away - height * along).norm() < kAlong * taper * height;
+  return (away - height * along).norm() < kAlong * taper * height;
 }
 
 const Tip* Tips::holder(int face, const Vec3& p) const {
@@ -209,6 +214,7 @@ std::optional<Vec3> ring_point(const Model& model, const Tip& tip, int face, con
 }
 
 std::optional<double> ring_parameter(const Model& model, const Tip& tip, int edge) {
+  constexpr int kHalvings = 60;
   const ModelEdge& e = model.edge(edge);
   if (e.vertex[0] == e.vertex[1]) return std::nullopt;
   double near = e.vertex[0] == tip.vertex ? e.t0 : e.t1, far = e.vertex[0] == tip.vertex ? e.t1 : e.t0;
@@ -216,14 +222,11 @@ std::optional<double> ring_parameter(const Model& model, const Tip& tip, int edg
     return (model.edge_point(edge, t) - tip.place).norm() < tip.reach;
   };
   if (lies_before(far)) return std::nullopt;
-  for (int step = 0; step < 60; ++step) {
+  for (int step = 0; step < kHalvings; ++step) {
     const double middle = 0.5 * (near + far);
     (lies_before(middle) ? near : far) = middle;
   }
-  const Vec3 out = model.edge_point(edge, far) - tip.place;
-  const double height = out.dot(tip.along);
-  if ((out - height * tip.along).norm() >= kAlong * tip.taper * height) return std::nullopt;
-  return far;
+  return tip.leads_to(model.edge_point(edge, far)) ? std::optional(far) : std::nullopt;
 }
 
 double ring_spacing(const Tip& tip) { return tip.ring_radius() / kLeastRing; }

@@ -28,11 +28,14 @@ struct Tip {
   [[nodiscard]] double ring_radius() const { return taper * reach; }
   /// Whether p, a point of that face, lies between the vertex and the ring.
   [[nodiscard]] bool holds(int face, const Vec3& p) const;
+  /// Whether the way from the vertex to p is along the tip: about as near to its axis as its faces are.
+  [[nodiscard]] bool leads_to(const Vec3& p) const;
 };
 
+/// Cost: one look at all facets where the model has degenerate edges; a comparison a tip for each question.
 class Tips {
  public:
-  /// Cost: one look at all facets where the model has degenerate edges.
+  Tips() = default;  ///< none
   Tips(const Model& model, const Octree& tree);
 
   [[nodiscard]] const std::vector<Tip>& all() const { return tips_; }
