@@ -25,7 +25,6 @@ CurveJets::CurveJets(Handle(Geom_Curve) curve) : curve_(std::move(curve)) {
   }
   for (int i = 1; i <= spline->NbKnots(); ++i) knots_.push_back(spline->Knot(i));
   period_ = spline->IsPeriodic() ? spline->Period() : 0.0;
-  if (spline->Degree() > kMaxSpanDegree) return;
   GeomConvert_BSplineCurveToBezierCurve convert(spline);
   if (convert.NbArcs() + 1 != static_cast<int>(knots_.size())) return;
   const BernsteinMatrix matrix = bernstein_to_power(spline->Degree());
@@ -34,15 +33,19 @@ CurveJets::CurveJets(Handle(Geom_Curve) curve) : curve_(std::move(curve)) {
     if (piece->Degree() != spline->Degree()) return;
     const Vec3 middle = 0.5 * (to_vec(piece->StartPoint()) + to_vec(piece->EndPoint()));
     centres_.push_back(middle);
+    double terms = 0.0, size = 0.0;
     for (int k = 0; k <= piece->Degree(); ++k) {
-      Eigen::Vector4d sum = Eigen::Vector4d::Zero();
+      WidePoint sum = WidePoint::Zero();
       for (int i = 0; i <= piece->Degree(); ++i) {
         const double w = piece->Weight(i + 1);
         const Vec3 r = w * (to_vec(piece->Pole(i + 1)) - middle);
-        sum += matrix[k][i] * Eigen::Vector4d(r.x(), r.y(), r.z(), w);
+        size = std::max(size, r.lpNorm<Eigen::Infinity>());
+        sum += matrix[k][i] * WidePoint(r.x(), r.y(), r.z(), w);
       }
-      coefficients_.push_back(sum);
+      coefficients_.push_back(sum.cast<double>());
+      terms += std::ldexp(coefficients_.back().head<3>().lpNorm<Eigen::Infinity>(), -k);
     }
+    if (loses_digits(terms, size)) return;
   }
   rational_ = spline->IsRational();
   degree_ = spline->Degree();
@@ -52,14 +55,16 @@ CurveJet CurveJets::evaluate(double t, int derivatives) const {
   CurveJet jet;
   if (degree_ < 0) {
     gp_Pnt p;
-    gp_Vec d1, d2;
+    gp_Vec d1, d2, d3;
     if (derivatives == 0)
       curve_->D0(t, p);
     else if (derivatives == 1)
       curve_->D1(t, p, d1);
-    else
+    else if (derivatives == 2)
       curve_->D2(t, p, d1, d2);
-    return {to_vec(p), to_vec(d1), to_vec(d2)};
+    else
+      curve_->D3(t, p, d1, d2, d3);
+    return {to_vec(p), to_vec(d1), to_vec(d2), to_vec(d3)};
   }
   if (period_ > 0.0 && (t < knots_.front() || t > knots_.back()))
     t -= period_ * std::floor((t - knots_.front()) / period_);
@@ -80,6 +85,11 @@ CurveJet CurveJets::evaluate(double t, int derivatives) const {
   const double w1 = rational_ ? d1[3] : 0.0, w2 = rational_ ? d2[3] : 0.0;
   jet.d1 = (head(d1) - w1 * p) / w;
   if (derivatives > 1) jet.d2 = (head(d2) - 2.0 * w1 * jet.d1 - w2 * p) / w;
+  if (derivatives > 2) {
+    const Eigen::Vector4d d3 = row.third * (6.0 / (width * width * width));
+    const double w3 = rational_ ? d3[3] : 0.0;
+    jet.d3 = (head(d3) - 3.0 * w1 * jet.d2 - 3.0 * w2 * jet.d1 - w3 * p) / w;
+  }
   return jet;
 }
 

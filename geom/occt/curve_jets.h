@@ -10,7 +10,7 @@
 namespace octet {
 
 struct CurveJet {
-  Vec3 p = Vec3::Zero(), d1 = Vec3::Zero(), d2 = Vec3::Zero();
+  Vec3 p = Vec3::Zero(), d1 = Vec3::Zero(), d2 = Vec3::Zero(), d3 = Vec3::Zero();
 };
 
 /// B-spline and Bezier curves in the power basis about the middle of each span, some ten times faster than
@@ -20,7 +20,7 @@ class CurveJets {
  public:
   explicit CurveJets(Handle(Geom_Curve) curve);
 
-  /// `derivatives` is 0, 1 or 2; what is above it is left zero.
+  /// `derivatives` is 0 to 3; what is above it is left zero.
   [[nodiscard]] CurveJet evaluate(double t, int derivatives) const;
   /// Parameters at which the curvature may jump, over one period; none for curves that are smooth.
   [[nodiscard]] const std::vector<double>& knots() const { return knots_; }

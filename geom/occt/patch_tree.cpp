@@ -277,6 +277,7 @@ void PatchTree::solve_part(Search& search, const Patch& part, int depth) const {
 
 /// Newton on S(u,v) = p + t d from the cell's middle; fails when it leaves the cell's neighbourhood.
 bool PatchTree::newton(const Segment& segment, const Patch& patch, SurfaceRoot& root) const {
+  constexpr double kMostSlack = 1e-4;
   const UvCell& cell = patch.cell;
   Vec2 uv = cell.centre();
   const Vec2 reach = 1.5 * cell.size();
@@ -298,7 +299,9 @@ bool PatchTree::newton(const Segment& segment, const Patch& patch, SurfaceRoot& 
     if (((uv - cell.centre()).cwiseAbs().array() > reach.array()).any()) return false;
     last = length;
   }
-  const Vec2 slack = 1e-9 * range_.size();
+  // Beyond the range by no more than rounding, which is worth more of a parameter towards a pole.
+  const double off_u = segment.tolerance / jet.du.norm(), off_v = segment.tolerance / jet.dv.norm();
+  const Vec2 slack = 1e-9 * range_.size() + Vec2(off_u, off_v).cwiseMin(kMostSlack * range_.size());
   if (((uv - range_.lo + slack).array() < 0.0).any() || ((range_.hi - uv + slack).array() < 0.0).any())
     return false;
   uv = uv.cwiseMax(range_.lo).cwiseMin(range_.hi);

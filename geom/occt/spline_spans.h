@@ -10,14 +10,20 @@
 
 namespace octet {
 
+/// Third derivatives at (u, v).
+struct SurfaceThirds {
+  Vec3 uuu = Vec3::Zero(), uuv = Vec3::Zero(), uvv = Vec3::Zero(), vvv = Vec3::Zero();
+};
+
 /// Evaluates about ten times faster than Geom_BSplineSurface, to rounding of it: homogeneous coefficients in
 /// the power basis about the middle of each span. Memory: 32 bytes a coefficient. Immutable, thread-safe.
 class SplineSpans {
  public:
-  /// Null where the surface is no spline, or its degree is too high for the power basis to keep its digits.
+  /// Null where the surface is no spline, or the power basis does not keep its digits.
   [[nodiscard]] static std::unique_ptr<const SplineSpans> make(const Handle(Geom_Surface) & surface);
 
-  [[nodiscard]] SurfaceJet evaluate(const Vec2& uv, int derivatives) const;
+  /// `derivatives` is 0, 1 or 2, or 3 with a place for the third ones.
+  [[nodiscard]] SurfaceJet evaluate(const Vec2& uv, int derivatives, SurfaceThirds* thirds = nullptr) const;
 
  private:
   struct Axis {

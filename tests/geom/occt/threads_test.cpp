@@ -102,11 +102,13 @@ INSTANTIATE_TEST_SUITE_P(Samples, Threads,
                                            "two_boxes"),
                          [](const auto& sample) { return std::string(sample.param); });
 
-TEST(Threads, ShareAnOffsetSurface) {
-  // OCCT evaluates offsets itself.
-  TColgp_Array2OfPnt poles(1, 4, 1, 4);
-  for (int i = 1; i <= 4; ++i)
-    for (int j = 1; j <= 4; ++j) poles(i, j) = gp_Pnt(i, j, (i - 2.5) * (j - 2.5) * 0.2);
+TEST(Threads, ShareASurfaceThatOcctEvaluates) {
+  // Poles that swing leave the basis, and so the offset, to OCCT.
+  TColgp_Array2OfPnt poles(1, 26, 1, 4);
+  for (int i = 1; i <= 26; ++i)
+    for (int j = 1; j <= 4; ++j)
+      poles(i, j) =
+          gp_Pnt(1.0 + (i - 1) / 8.0, j, 0.02 * (i - 13.5) * (j - 2.5) + (i / 2 % 2 == 0 ? 0.2 : -0.2));
   const Handle(Geom_Surface) offset = new Geom_OffsetSurface(new Geom_BezierSurface(poles), 0.3);
   const auto surface = make_free_form(SurfaceJets(offset), {Vec2(0, 0), Vec2(1, 1)});
   const auto sweep = [&] {
