@@ -11,6 +11,7 @@
 
 #include "geom/occt/common_faces.h"
 #include "geom/occt/heal.h"
+#include "geom/occt/inner_surfaces.h"
 #include "geom/occt/join_solids.h"
 #include "geom/occt/marks.h"
 #include "geom/occt/shape_box.h"
@@ -103,8 +104,12 @@ void tell_open_parts(const CadDocument& document, const ShapeMaps& as_read, cons
   for (std::size_t i = 0; i < tree.size(); ++i) {
     if (!is_leaf[i] || !tree[i].solids.empty() || !tree[i].regions.empty()) continue;
     if (!is_open_part(document.tree[i].shape, as_read, parts.provenance)) continue;
-    Fault fault = opening_of(document.tree[i].shape, as_read, healed, sewing);
     const std::string name = tree[i].name.empty() ? "a part without a name" : '"' + tree[i].name + '"';
+    if (runs_within(document.tree[i].shape, healed.solids)) {
+      parts.notes.push_back(name + " is surfaces inside of solids (as threads are drawn) and is left out");
+      continue;
+    }
+    Fault fault = opening_of(document.tree[i].shape, as_read, healed, sewing);
     fault.entity = {};
     fault.cause = name + " is left out: it bounds no volume: " + fault.cause;
     parts.faults.push_back(fault);

@@ -2,11 +2,19 @@
 // Parts without a solid: which of them are missing from the model, and which are only told.
 #include <gtest/gtest.h>
 
+#include <BRepAdaptor_Surface.hxx>
+#include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_ListOfShape.hxx>
+#include <TopoDS.hxx>
+#include <gp.hxx>
+#include <gp_Ax2.hxx>
 #include <gp_Pnt.hxx>
 
+#include <algorithm>
 #include <string>
 
 #include "base/error.h"
@@ -57,6 +65,41 @@ TEST(OpenParts, AShellThatLacksAFaceIsAFault) {
   const ModelParts parts = parts_of(shapes);
   ASSERT_EQ(parts.faults.size(), 1u);
   EXPECT_NE(parts.faults[0].cause.find("\"part 1\" is left out"), std::string::npos) << parts.faults[0].cause;
+}
+
+/// A block with a hole of radius 2 along z, and a tube of the radius and z given along the hole's axis.
+ModelParts block_and_tube(double radius, double z0, double z1) {
+  const TopoDS_Shape block = BRepPrimAPI_MakeBox(gp_Pnt(-5, -5, 0), 10, 10, 10).Shape();
+  const auto cylinder = [](double r, double from, double to) {
+    return BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(0, 0, from), gp::DZ()), r, to - from).Shape();
+  };
+  TopTools_ListOfShape sides;
+  const TopoDS_Shape tube = cylinder(radius, z0, z1);
+  for (TopExp_Explorer it(tube, TopAbs_FACE); it.More(); it.Next())
+    if (BRepAdaptor_Surface(TopoDS::Face(it.Current())).GetType() == GeomAbs_Cylinder)
+      sides.Append(BRepBuilderAPI_Copy(it.Current()).Shape());
+  const TopoDS_Shape far_side = cylinder(radius, z0 - 0.5, z0);  // a part of one face is not told so
+  for (TopExp_Explorer it(far_side, TopAbs_FACE); it.More() && sides.Extent() == 1; it.Next())
+    if (BRepAdaptor_Surface(TopoDS::Face(it.Current())).GetType() == GeomAbs_Cylinder)
+      sides.Append(BRepBuilderAPI_Copy(it.Current()).Shape());
+  return parts_of({BRepAlgoAPI_Cut(block, cylinder(2, -1, 11)).Shape(),
+                   compound_of(std::vector<TopoDS_Shape>{sides.First(), sides.Last()})});
+}
+
+TEST(OpenParts, AThreadDrawnInsideOfASolidIsNoFault) {
+  for (const double end : {9.0, 14.0}) {  // it may go on beyond the hole
+    const ModelParts parts = block_and_tube(2.5, 1.0, end);
+    EXPECT_TRUE(parts.faults.empty()) << parts.faults.front().cause;
+    EXPECT_TRUE(std::any_of(parts.notes.begin(), parts.notes.end(), [](const std::string& note) {
+      return note.find("\"part 1\" is surfaces inside of solids") != std::string::npos;
+    }));
+  }
+}
+
+TEST(OpenParts, AnOpenTubeInAHoleIsAFault) {
+  for (const double radius : {2.0, 1.9})
+    EXPECT_EQ(block_and_tube(radius, 1.0, 9.0).faults.size(), 1u) << radius;
+  EXPECT_EQ(block_and_tube(2.5, 8.0, 14.0).faults.size(), 1u) << "most of it is outside";
 }
 
 /// Why a part of these faces is refused.
