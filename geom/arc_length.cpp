@@ -32,11 +32,18 @@ ArcLength::ArcLength(const Curve& curve, double t0, double t1) {
   const bool straight = std::strcmp(curve.kind(), "line") == 0;
   // Eight spans at least: the knots also start global searches for the nearest point.
   const int spans = straight ? 1 : 8;
+  std::vector<double> ends;
+  for (int i = 1; i < spans; ++i) ends.push_back(t0 + (t1 - t0) * i / spans);
+  // A spline may turn back within a knot span too short for any abscissa of an even division.
+  for (const double knot : curve.breaks())
+    if (knot > t0 && knot < t1) ends.push_back(knot);
+  std::sort(ends.begin(), ends.end());
+  ends.push_back(t1);
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
   knot_ = {t0};
   length_ = {0.0};
-  for (int i = 0; i < spans; ++i) {
+  for (const double b : ends) {
     const double a = knot_.back();
-    const double b = i + 1 == spans ? t1 : t0 + (t1 - t0) * (i + 1) / spans;
     add_span(curve, a, b, gauss(curve, a, b), 0);
   }
 }

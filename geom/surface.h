@@ -56,9 +56,11 @@ class Curve {
   [[nodiscard]] virtual Vec3 derivative(double t) const = 0;
   /// Parameter in [t0, t1] of the point nearest to p, near the hint where there are several.
   [[nodiscard]] virtual double project(const Vec3& p, double hint) const = 0;
-  /// Appends the parameters in [t0, t1], ascending, at which normal . point = offset (edge and plane). A curve
-  /// in the plane has none. Requires a unit normal.
+  /// Appends the parameters in [t0, t1], ascending, at which normal . point = offset (edge and plane). A
+  /// curve in the plane has none. Requires a unit normal.
   virtual void cut(const Vec3& normal, double offset, std::vector<double>& parameters) const = 0;
+  /// t0, t1 and the parameters between, ascending, at which derivatives may jump; empty for smooth curves.
+  [[nodiscard]] virtual std::vector<double> breaks() const { return {}; }
   [[nodiscard]] virtual const char* kind() const = 0;
 };
 

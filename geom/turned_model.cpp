@@ -47,6 +47,7 @@ class TurnedCurve final : public Curve {
   void cut(const Vec3& normal, double offset, std::vector<double>& parameters) const override {
     base_->cut(turn_.transpose() * normal, offset, parameters);
   }
+  std::vector<double> breaks() const override { return base_->breaks(); }
   const char* kind() const override { return base_->kind(); }
 
  private:

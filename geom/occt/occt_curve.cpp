@@ -20,7 +20,7 @@ constexpr std::size_t kBlock = 8;    // pieces that share a box
 class OcctCurve final : public Curve {
  public:
   OcctCurve(CurveJets jets, double t0, double t1) : jets_(std::move(jets)), t0_(t0), t1_(t1) {
-    const std::vector<double> breaks = knots();
+    const std::vector<double> breaks = this->breaks();
     sample_t_.push_back(t0);
     for (std::size_t i = 0; i + 1 < breaks.size(); ++i)
       for (int k = 0; k < kMinPieces; ++k) {
@@ -45,6 +45,7 @@ class OcctCurve final : public Curve {
   Vec3 derivative(double t) const override { return jets_.evaluate(t, 1).d1; }
   double project(const Vec3& p, double hint) const override;
   void cut(const Vec3& normal, double offset, std::vector<double>& parameters) const override;
+  std::vector<double> breaks() const override;
   const char* kind() const override { return "free"; }
 
  private:
@@ -57,7 +58,6 @@ class OcctCurve final : public Curve {
   [[nodiscard]] std::size_t end_of(std::size_t begin) const {
     return std::min(begin + kBlock, sample_.size() - 1);
   }
-  [[nodiscard]] std::vector<double> knots() const;
   void sample(double a, double b, int depth);
   struct Nearest {
     double squared, t;  ///< squared distance; parameter
@@ -79,7 +79,7 @@ class OcctCurve final : public Curve {
   std::vector<Block> blocks_;
 };
 
-std::vector<double> OcctCurve::knots() const {
+std::vector<double> OcctCurve::breaks() const {
   std::vector<double> breaks = {t0_, t1_};
   const double period = jets_.period(), nearly = 1e-9 * (t1_ - t0_);
   for (const double knot : jets_.knots()) {

@@ -20,6 +20,8 @@
 #include <Geom_SurfaceOfLinearExtrusion.hxx>
 #include <Geom_SurfaceOfRevolution.hxx>
 #include <Geom_TrimmedCurve.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array1OfPnt.hxx>
 #include <TColgp_Array2OfPnt.hxx>
 #include <algorithm>
@@ -27,6 +29,7 @@
 #include <gp.hxx>
 #include <numbers>
 
+#include "geom/arc_length.h"
 #include "geom/occt/from_shape.h"
 #include "geom/occt/occt_curve.h"
 #include "geom/occt/occt_surface.h"
@@ -275,6 +278,27 @@ TEST(FreeCurve, CutFindsBothCrossingsAndTheirPlaces) {
   std::vector<double> none;
   arc->cut(Vec3::UnitY(), 2.0 + 1e-9, none);
   EXPECT_TRUE(none.empty());
+}
+
+TEST(FreeCurve, TheLengthHasTheShortestOfKnotSpans) {
+  // A line that turns back within a thousandth of its parameters, as a CAD system wrote it.
+  TColgp_Array1OfPnt poles(1, 7);
+  const double x[] = {0.0, 0.0002, 0.0008, 0.0005, 0.2, 0.3, 0.5};
+  for (int i = 1; i <= 7; ++i) poles(i) = gp_Pnt(x[i - 1], 0.0, 0.0);
+  TColStd_Array1OfReal knots(1, 3);
+  TColStd_Array1OfInteger multiplicities(1, 3);
+  knots(1) = 0.0, knots(2) = 0.0005, knots(3) = 0.5;
+  multiplicities(1) = 4, multiplicities(2) = 3, multiplicities(3) = 4;
+  const Handle(Geom_Curve) spline = new Geom_BSplineCurve(poles, knots, multiplicities, 3);
+  const auto curve = make_free_curve(CurveJets(spline), 0.0, 0.5);
+  double chords = 0.0;
+  for (int i = 0; i < 100000; ++i) {
+    // Half of them in the short span.
+    const auto at = [](int k) { return k <= 50000 ? 1e-8 * k : 0.0005 + 0.4995 * (k - 50000) / 50000.0; };
+    chords += (curve->point(at(i + 1)) - curve->point(at(i))).norm();
+  }
+  EXPECT_GT(chords, 0.5001);
+  EXPECT_NEAR(ArcLength(*curve, 0.0, 0.5).total(), chords, 1e-8);
 }
 
 TEST(FreeCurve, ProjectionGivesTheNearestPointEndsIncluded) {
