@@ -67,8 +67,9 @@ struct EdgeSums {
 // An arc of sagitta s over a chord c is longer by 8 s^2 / (3 c), and has the area 2 s c / 3. An S of the same
 // sagitta is longer by four times as much: hence 11. Where the curve bends between the places that the
 // sagitta is taken at, its own length tells. The shares of c bound what a piece that leaves the curve
-// altogether may claim for itself.
+// altogether may claim for itself: what a half circle over it would be longer by, or have for its area.
 EdgeSums edge_sums(const ClaimInput& in, int tag) {
+  constexpr double kHalfTurn = 0.58;
   EdgeSums sums;
   for (const std::uint32_t e : in.pieces_on[tag]) {
     const PieceMeasure m = measure_piece(in, e);
@@ -76,7 +77,7 @@ EdgeSums edge_sums(const ClaimInput& in, int tag) {
     if (m.sagitta > sums.farthest.distance) sums.farthest = {model_edge(tag), m.place, m.sagitta};
     if (m.chord <= 0.0) continue;
     sums.length_error +=
-        std::min(std::max(11.0 * m.sagitta * m.sagitta / m.chord, 1.1 * m.excess), 0.3 * m.chord);
+        std::min(std::max(11.0 * m.sagitta * m.sagitta / m.chord, 1.1 * m.excess), kHalfTurn * m.chord);
     sums.area_error += 1.4 * std::min(m.sagitta, 0.5 * m.chord) * m.chord;
     sums.volume_error += 2.0 * std::pow(std::min(m.sagitta, 0.5 * m.chord), 2) * m.chord;
   }
@@ -199,9 +200,12 @@ Claim claim_edge_length(const ClaimInput& in) {
     for (const std::uint32_t e : in.pieces_on[tag])
       for (const Mesh::Index v : in.mesh.edges[e])
         slack += std::min(in.node_foot[v].distance, in.allowed_distance(in.mesh.point_on[v]));
-    worst =
-        std::max(worst, compare(claim, model_edge(tag), in.model.edge_point(tag, 0.5 * (edge.t0 + edge.t1)),
-                                "the length", sums[tag].chords, edge.length, sums[tag].length_error + slack));
+    // Where the chords are farthest off is where smaller elements help.
+    const Vec3 place = sums[tag].farthest.distance > 0.0
+                           ? sums[tag].farthest.place
+                           : in.model.edge_point(tag, 0.5 * (edge.t0 + edge.t1));
+    worst = std::max(worst, compare(claim, model_edge(tag), place, "the length", sums[tag].chords,
+                                    edge.length, sums[tag].length_error + slack));
   }
   Claim measured = claim.measured(worst, 1.0);
   if (farthest.entity.valid()) measured.farthest = farthest;

@@ -122,7 +122,11 @@ bool Model::in_closure(ModelRef part, ModelRef whole) const {
     return std::any_of(faces.begin(), faces.end(), [&](int f) { return in_closure(model_face(f), whole); });
   }
   const auto& edges = vertex(part.tag).edges;
-  return std::any_of(edges.begin(), edges.end(), [&](int e) { return in_closure(model_edge(e), whole); });
+  if (std::any_of(edges.begin(), edges.end(), [&](int e) { return in_closure(model_edge(e), whole); }))
+    return true;
+  // A vertex within a face, where another solid touches it at a point, ends no edge of the region's.
+  const auto& faces = region(whole.tag).faces;
+  return std::any_of(faces.begin(), faces.end(), [&](int f) { return contains(face(f).vertices, part.tag); });
 }
 
 std::string Model::describe(ModelRef entity) const {

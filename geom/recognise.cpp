@@ -206,6 +206,31 @@ std::optional<Fit> fit_cone(const Samples& samples, const Vec3& along) {
       true, false};
 }
 
+/// Greatest cosine of the angles between the axis, either way, and where the samples are from the centre.
+double nearness(const Samples& samples, const Vec3& centre, const Vec3& axis) {
+  double most = 0.0;
+  for (const Sample& s : samples.all) most = std::max(most, std::abs((s.p - centre).normalized().dot(axis)));
+  return most;
+}
+
+/// An axis whose poles are clear of the samples: about a pole among them u cannot follow the source. `asked`
+/// where that will do; nothing where the samples are all over the sphere.
+std::optional<Vec3> clear_axis(const Samples& samples, const Vec3& centre, const Vec3& asked) {
+  constexpr double kClear = 0.95, kNeeded = 0.99;  // cosines of 18 and 8 degrees
+  Vec3 best = asked.normalized();
+  double least = nearness(samples, centre, best);
+  if (least <= kClear) return best;
+  for (int k = 0; k < 27; ++k) {
+    const Vec3 axis(k / 9 - 1, k / 3 % 3 - 1, k % 3 - 1);
+    if (axis.isZero()) continue;
+    const double near = nearness(samples, centre, axis.normalized());
+    if (near >= least) continue;
+    least = near;
+    best = axis.normalized();
+  }
+  return least <= kNeeded ? std::optional<Vec3>(best) : std::nullopt;
+}
+
 std::optional<Fit> fit_sphere(const Samples& samples, const Vec3& along) {
   Eigen::Matrix4d a = Eigen::Matrix4d::Zero();
   Eigen::Vector4d b = Eigen::Vector4d::Zero();
@@ -221,10 +246,13 @@ std::optional<Fit> fit_sphere(const Samples& samples, const Vec3& along) {
   if (!(r2 > 0.0) || r2 > kFlattest * kFlattest) return std::nullopt;
   const double radius = std::sqrt(r2) * samples.size;
   // The poles stay where the source has them, if it has: u is then one value along a border.
-  Vec3 pole = along;
+  const Vec3 centre = samples.centre + samples.size * c;
+  std::optional<Vec3> pole;
   for (const Sample& s : samples.all)
-    if (!s.regular) pole = s.p - (samples.centre + samples.size * c);
-  return Fit{frame(samples.centre + samples.size * c, pole, Vec3::UnitX() + 0.3 * Vec3::UnitY()),
+    if (!s.regular) pole = s.p - centre;
+  if (!pole) pole = clear_axis(samples, centre, along);
+  if (!pole) return std::nullopt;
+  return Fit{frame(centre, *pole, Vec3::UnitX() + 0.3 * Vec3::UnitY()),
              [radius](const Axes3& axes, double u0, double) { return make_sphere(axes, radius, u0); }, true,
              false};
 }

@@ -109,6 +109,43 @@ TEST_P(Recognise, IsNotFooledBySomethingNearby) {
 
 INSTANTIATE_TEST_SUITE_P(Forms, Recognise, ::testing::Range(0, 9));
 
+/// A sphere seen from its centre through a plane: no poles of its own, and du at the first corner points at a
+/// place in the middle of it.
+SurfaceJet gnomonic(const Vec2& st) {
+  constexpr double kRadius = 5.0;
+  const Axes3 axes = tilted();
+  const Vec2 x = (st - Vec2(0.5, 0.5)).cwiseProduct(Vec2(2.4, 1.0));
+  const Vec3 q = axes.z + x.x() * axes.x + x.y() * axes.y;
+  const double length = q.norm();
+  const Vec3 n = q / length;
+  SurfaceJet jet;
+  jet.p = axes.origin + kRadius * n;
+  jet.du = 2.4 * kRadius / length * (axes.x - axes.x.dot(n) * n);
+  jet.dv = kRadius / length * (axes.y - axes.y.dot(n) * n);
+  return jet;
+}
+
+TEST(Recognise, AnAnyhowParametrisedPieceOfASphereHasNoPoleInIt) {
+  const auto form = recognise([](const Vec2& st, int) { return gnomonic(st); }, kUnit, kUnit, kTolerance);
+  ASSERT_TRUE(form);
+  EXPECT_STREQ(form->surface().kind(), "sphere");
+  constexpr int kSteps = 60;
+  std::vector<Vec2> below(kSteps + 1);
+  for (int i = 0; i <= kSteps; ++i)
+    for (int j = 0; j <= kSteps; ++j) {
+      const Vec2 st(static_cast<double>(i) / kSteps, static_cast<double>(j) / kSteps);
+      const Vec2 uv = form->map(gnomonic(st).p, st);
+      EXPECT_LT((form->surface().evaluate(uv, 0).p - gnomonic(st).p).norm(), 1e-10);
+      if (i > 0) {
+        EXPECT_LT((uv - below[j]).norm(), 0.3) << "jumps at " << st.transpose();
+      }
+      if (j > 0) {
+        EXPECT_LT((uv - below[j - 1]).norm(), 0.3) << "jumps at " << st.transpose();
+      }
+      below[j] = uv;
+    }
+}
+
 TEST(Recognise, BothSidesOfASeamAreAPeriodApart) {
   const Disguised source = Recognise::piece(1);
   const auto form = recognise(source, kUnit, kUnit, kTolerance);

@@ -343,6 +343,8 @@ std::vector<FamilyPart> family_parts() {
   add("slanted_half_hole", [] { return slanted_half_hole(); });
   add("halved_blind_holes", [] { return halved_blind_holes(); });
   add("balls_at_a_point", [] { return side_by_side(cut(ball(0, 3), ball(1, 2)), ball(1, 2)); });
+  // The ball's pole is a vertex within the box's top, which ends none of its edges.
+  add("ball_on_a_box", [] { return side_by_side(box(-3, -3, -4, 6, 6, 2), ball(0, 2)); });
   add("needle_bore", [] { return cut(box(0, 0, 0, 2, 2, 2), rod({1.03, 0.9, 1.9}, gp::DZ(), 0.001, 1)); });
   add("tip_on_a_wall", [] { return BRepPrimAPI_MakePrism(hook(0, 1.5, true), gp_Vec(0, 3, 0)).Shape(); });
   add("ring_on_a_wall", [] { return ring_of(hook(1, 1.5, true)); });
