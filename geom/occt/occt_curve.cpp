@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "base/segment.h"
 #include "geom/occt/curve_jets.h"
 
 namespace octet {
@@ -60,10 +62,9 @@ class OcctCurve final : public Curve {
   }
   void sample(double a, double b, int depth);
   struct Nearest {
-    double squared, t;  ///< squared distance; parameter
-    bool operator<(const Nearest& o) const { return squared < o.squared; }
+    double distance, t;
   };
-  [[nodiscard]] Nearest refine_around(std::size_t where, const Vec3& p, double hint) const;
+  [[nodiscard]] Nearest refine_piece(std::size_t piece, const Vec3& p, double hint) const;
   [[nodiscard]] double refine(const Vec3& p, double t, double lo, double hi) const;
   [[nodiscard]] bool lies_in_plane(const Vec3& normal) const;
   [[nodiscard]] double root(const Vec3& normal, double offset, double a, double b) const;
@@ -126,44 +127,62 @@ double OcctCurve::refine(const Vec3& p, double t, double lo, double hi) const {
   return t;
 }
 
+// Samples are no measure: a branch that bends has them close together, one that runs straight has few, and
+// the nearest may be of the wrong one.
 double OcctCurve::project(const Vec3& p, double hint) const {
-  const std::size_t n = sample_.size();
-  const auto here = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(
-      std::lower_bound(sample_t_.begin(), sample_t_.end(), hint) - sample_t_.begin(), 0,
-      static_cast<std::ptrdiff_t>(n) - 1));
-  // The hint's own sample wins ties, so that equal branches keep the caller's.
-  std::size_t where = here;
-  double best = (sample_[here] - p).squaredNorm();
+  const std::size_t pieces = sample_.size() - 1;
+  const auto chord_distance = [&](std::size_t i) {
+    return distance_to_segment(p, sample_[i], sample_[i + 1]);
+  };
+  std::size_t first = 0;
+  double least = std::numeric_limits<double>::infinity();
   for (std::size_t block = 0; block < blocks_.size(); ++block) {
-    if (blocks_[block].samples.squared_distance(p) > best) continue;
-    const std::size_t begin = kBlock * block;
-    for (std::size_t i = begin; i <= end_of(begin); ++i) {
-      const double d = (sample_[i] - p).squaredNorm();
-      if (d > best || (d == best && (where == here || i >= where))) continue;
-      best = d;
-      where = i;
+    if (blocks_[block].samples.squared_distance(p) >= least * least) continue;
+    for (std::size_t i = kBlock * block; i < end_of(kBlock * block); ++i) {
+      const double distance = chord_distance(i);
+      if (distance >= least) continue;
+      least = distance;
+      first = i;
     }
   }
-  Nearest nearest = refine_around(where, p, hint);
-  // The two ends of a closed curve are one place: rounding alone chose between them.
-  if (where == 0 || where == n - 1) {
-    const std::size_t other = n - 1 - where;
-    if ((sample_[where] - sample_[other]).norm() <= 1e-9 * scale_)
-      nearest = std::min(nearest, refine_around(other, p, hint));
+  // The hint's own piece wins ties, so that equal branches keep the caller's.
+  const auto above = std::upper_bound(sample_t_.begin() + 1, sample_t_.end() - 1, hint);
+  const std::size_t own = std::min(static_cast<std::size_t>(above - sample_t_.begin()) - 1, pieces - 1);
+  const double rounding = 1e-13 * scale_;
+  Nearest nearest = refine_piece(first, p, hint);
+  const auto reaches = [&](std::size_t i) {
+    const double bulge = kTurn * (sample_[i + 1] - sample_[i]).norm();
+    return chord_distance(i) <= nearest.distance + bulge;
+  };
+  if (own != first && reaches(own)) {
+    const Nearest other = refine_piece(own, p, hint);
+    if (other.distance <= nearest.distance + rounding) nearest = other;
+  }
+  for (std::size_t block = 0; block < blocks_.size(); ++block) {
+    const double reach = nearest.distance + blocks_[block].bulge;
+    if (blocks_[block].samples.squared_distance(p) > reach * reach) continue;
+    for (std::size_t i = kBlock * block; i < end_of(kBlock * block); ++i) {
+      if (i == first || i == own || !reaches(i)) continue;
+      const Nearest other = refine_piece(i, p, hint);
+      if (other.distance < nearest.distance - rounding) nearest = other;
+    }
   }
   return nearest.t;
 }
 
-/// The nearest point between the neighbours of a sample.
-OcctCurve::Nearest OcctCurve::refine_around(std::size_t where, const Vec3& p, double hint) const {
-  const double lo = sample_t_[where > 0 ? where - 1 : 0],
-               hi = sample_t_[std::min(where + 1, sample_.size() - 1)];
+/// The nearest point between a sample and the next.
+OcctCurve::Nearest OcctCurve::refine_piece(std::size_t piece, const Vec3& p, double hint) const {
+  const double lo = sample_t_[piece], hi = sample_t_[piece + 1];
+  const Vec3 chord = sample_[piece + 1] - sample_[piece];
+  const double squared = chord.squaredNorm();
+  const double share = squared > 0.0 ? (p - sample_[piece]).dot(chord) / squared : 0.5;
   const bool hint_inside = hint >= lo && hint <= hi;
-  const double t = std::clamp(refine(p, hint_inside ? hint : sample_t_[where], lo, hi), t0_, t1_);
-  Nearest nearest{(point(t) - p).squaredNorm(), t};
-  for (const double end : {lo, hi}) {
-    const double d = (point(end) - p).squaredNorm();
-    if (d < nearest.squared) nearest = {d, end};
+  const double start = hint_inside ? hint : lo + std::clamp(share, 0.0, 1.0) * (hi - lo);
+  const double t = std::clamp(refine(p, start, lo, hi), lo, hi);
+  Nearest nearest{(point(t) - p).norm(), t};
+  for (const std::size_t end : {piece, piece + 1}) {
+    const double distance = (sample_[end] - p).norm();
+    if (distance < nearest.distance) nearest = {distance, sample_t_[end]};
   }
   return nearest;
 }

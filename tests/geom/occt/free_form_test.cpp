@@ -11,6 +11,7 @@
 #include <GeomConvert.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
+#include <Geom_BezierCurve.hxx>
 #include <Geom_BezierSurface.hxx>
 #include <Geom_Circle.hxx>
 #include <Geom_CylindricalSurface.hxx>
@@ -311,6 +312,21 @@ TEST(FreeCurve, ProjectionGivesTheNearestPointEndsIncluded) {
   }
   const Vec3 start(2.0 * std::cos(0.25), 2.0 * std::sin(0.25), 0.0);
   EXPECT_LT((arc->point(arc->project({2.0, 0.1, 0.0}, 0.5)) - start).norm(), 1e-12);
+}
+
+TEST(FreeCurve, ProjectionIsNotMisledByABranchWithMoreSamples) {
+  // The border of a filled dome: long straight stretches beside bends that pass near them.
+  const double height[] = {68.141652, 61.475738, 47.799745, 55.250753,
+                           26.147358, 42.676789, 22.921387, 19.160475};
+  const double depth[] = {7.106, 0.0, 60.667, -184.728, 323.178, -252.948, 100.943, -2.965};
+  TColgp_Array1OfPnt poles(1, 8);
+  for (int i = 1; i <= 8; ++i) poles(i) = gp_Pnt(-0.33 * depth[i - 1], depth[i - 1], height[i - 1]);
+  const auto curve = make_free_curve(CurveJets(new Geom_BezierCurve(poles)), 0.0, 1.0);
+  for (int i = 0; i <= 2000; ++i)
+    for (const double hint : {i / 2000.0, 0.0, 0.4, 1.0}) {
+      const Vec3 p = curve->point(i / 2000.0);
+      EXPECT_LT((curve->point(curve->project(p, hint)) - p).norm(), 1e-9) << i << " from " << hint;
+    }
 }
 
 TEST(FreeCurve, ProjectionOnAClosedCurveLooksBothWaysFromWhereItCloses) {
