@@ -3,11 +3,13 @@
 #include "geom/occt/assemble.h"
 
 #include <fmt/format.h>
+#include <TopExp_Explorer.hxx>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <mutex>
+#include <set>
 
 #include "geom/occt/common_faces.h"
 #include "geom/occt/heal.h"
@@ -94,27 +96,58 @@ bool is_open_part(const TopoDS_Shape& part, const ShapeMaps& as_read, const Prov
   return faces.Extent() > 1;
 }
 
-/// Parts of the tree with shells of which nothing is in the model.
-void tell_open_parts(const CadDocument& document, const ShapeMaps& as_read, const SolidSet& healed,
-                     const SewOptions& sewing, ModelParts& parts) {
-  const std::vector<PartNode>& tree = parts.provenance.tree;
-  std::vector<bool> is_leaf(tree.size(), true);
-  for (const PartNode& node : tree)
-    if (node.parent >= 0) is_leaf[static_cast<std::size_t>(node.parent)] = false;
-  for (std::size_t i = 0; i < tree.size(); ++i) {
-    if (!is_leaf[i] || !tree[i].solids.empty() || !tree[i].regions.empty()) continue;
-    if (!is_open_part(document.tree[i].shape, as_read, parts.provenance)) continue;
-    const std::string name = tree[i].name.empty() ? "a part without a name" : '"' + tree[i].name + '"';
-    if (runs_within(document.tree[i].shape, healed.solids)) {
-      parts.notes.push_back(name + " is surfaces inside of solids (as threads are drawn) and is left out");
-      continue;
+/// Of shells of which nothing is in the model.
+class OpenShells {
+ public:
+  OpenShells(const ShapeMaps& as_read, const SolidSet& healed, const SewOptions& sewing, ModelParts& parts)
+      : as_read_(as_read), healed_(healed), sewing_(sewing), parts_(parts) {}
+
+  /// Parts of the tree.
+  void tell_parts(const CadDocument& document) {
+    const std::vector<PartNode>& tree = parts_.provenance.tree;
+    std::vector<bool> is_leaf(tree.size(), true);
+    for (const PartNode& node : tree)
+      if (node.parent >= 0) is_leaf[static_cast<std::size_t>(node.parent)] = false;
+    for (std::size_t i = 0; i < tree.size(); ++i) {
+      if (!is_leaf[i] || !tree[i].solids.empty() || !tree[i].regions.empty()) continue;
+      if (!is_open_part(document.tree[i].shape, as_read_, parts_.provenance)) continue;
+      tell(document.tree[i].shape, tree[i].name.empty() ? "a part without a name" : '"' + tree[i].name + '"');
     }
-    Fault fault = opening_of(document.tree[i].shape, as_read, healed, sewing);
+  }
+
+  /// What sewing left open of a part of which it closed something.
+  void tell_sewn() {
+    for (const TopoDS_Shape& shell : healed_.open)
+      if (!is_told(shell))
+        tell(shell, fmt::format("a shell of {} faces", sub_shapes(shell, TopAbs_FACE).Extent()));
+  }
+
+ private:
+  void tell(const TopoDS_Shape& shape, const std::string& name) {
+    if (runs_within(shape, healed_.solids)) {
+      parts_.notes.push_back(name + " is surfaces inside of solids (as threads are drawn) and is left out");
+      return;
+    }
+    for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next())
+      told_.insert(number_as_read(2, it.Current(), as_read_, healed_));
+    Fault fault = opening_of(shape, as_read_, healed_, sewing_);
     fault.entity = {};
     fault.cause = name + " is left out: it bounds no volume: " + fault.cause;
-    parts.faults.push_back(fault);
+    parts_.faults.push_back(fault);
   }
-}
+
+  [[nodiscard]] bool is_told(const TopoDS_Shape& shape) const {
+    for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next())
+      if (!told_.contains(number_as_read(2, it.Current(), as_read_, healed_))) return false;
+    return true;
+  }
+
+  const ShapeMaps& as_read_;
+  const SolidSet& healed_;
+  const SewOptions& sewing_;
+  ModelParts& parts_;
+  std::set<int> told_;  ///< faces, by their numbers as read
+};
 
 /// What keeps a mesh of the part from being the whole part.
 void tell_faults(const JoinedSolids& joined, const ShapeMaps& as_read, const SolidSet& healed,
@@ -164,7 +197,9 @@ AssembledPart assemble(const CadDocument& document, const ReadOptions& options, 
   parts.apart = !joined.apart.empty() || (!options.fuse && parts.regions.size() > 2);
   mark_entities(document, as_read, joined.part.numbering, parts);
   tell_faults(joined, as_read, healed, parts);
-  tell_open_parts(document, as_read, healed, sewing, parts);
+  OpenShells open(as_read, healed, sewing, parts);
+  open.tell_parts(document);
+  open.tell_sewn();
   note_overlaps(parts);
   note_left_out(parts);
   return std::move(joined.part);

@@ -2,6 +2,7 @@
 // Neighbouring sides of loops that are one line.
 #include "geom/occt/hairlines.h"
 
+#include <BRepAdaptor_Surface.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2d_Curve.hxx>
@@ -19,8 +20,11 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <TopoDS_Wire.hxx>
+#include <gp_Pnt2d.hxx>
+#include <gp_Vec2d.hxx>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <set>
 #include <vector>
@@ -121,7 +125,7 @@ class Closer {
     std::vector<bool> changed(loops.size(), false);
     for (std::size_t i = 0; i < loops.size(); ++i)
       for (std::size_t j = i; j < loops.size();) {
-        const bool closed = close_between(loops[i], loops[j]);
+        const bool closed = close_between(loops[i], loops[j], face);
         if (closed) changed[i] = changed[j] = true;
         j = closed ? i : j + 1;
       }
@@ -142,13 +146,16 @@ class Closer {
   }
 
   /// What is left of both becomes the first.
-  bool close_between(Loop& one, Loop& other) {
+  bool close_between(Loop& one, Loop& other, const TopoDS_Face& face) {
     for (std::size_t i = 0; i < one.size(); ++i)
       for (std::size_t j = &one == &other ? i + 1 : 0; j < other.size(); ++j) {
         if (!is_hairline(one[i], other[j])) continue;
         Loop rest = without(one, i, other, j);
-        // Else it parts the face, or holes in it that it joins.
-        if (!hang_together(rest)) continue;
+        // Else it parts the face, or holes in it that it joins, or the face goes on beyond it.
+        if (!hang_together(rest)) {
+          if (&one == &other && join_across_seam(one[i].edge, other[j].edge, face)) return true;
+          continue;
+        }
         // The better one stays.
         if (BRep_Tool::Tolerance(other[j].edge) < BRep_Tool::Tolerance(one[i].edge))
           join(other[j].edge, one[i].edge);
@@ -159,6 +166,32 @@ class Closer {
         return true;
       }
     return false;
+  }
+
+  /// Where the two are a period apart the face is on either side of the line: they are a piece of its seam,
+  /// to which other faces come. True where it became one edge.
+  bool join_across_seam(const TopoDS_Edge& kept, const TopoDS_Edge& gone, const TopoDS_Face& face) {
+    const BRepAdaptor_Surface surface(face, false);
+    const gp_Vec2d shift(middle_on(kept, face), middle_on(gone, face));
+    gp_Vec2d turn(0.0, 0.0);
+    if (surface.IsUPeriodic() && std::abs(shift.X()) > 0.5 * surface.UPeriod())
+      turn.SetX(std::copysign(surface.UPeriod(), shift.X()));
+    if (surface.IsVPeriodic() && std::abs(shift.Y()) > 0.5 * surface.VPeriod())
+      turn.SetY(std::copysign(surface.VPeriod(), shift.Y()));
+    if (turn.SquareMagnitude() == 0.0) return false;
+    double first = 0.0, last = 0.0;
+    const Handle(Geom2d_Curve) own = BRep_Tool::CurveOnSurface(kept, face, first, last);
+    const auto across = Handle(Geom2d_Curve)::DownCast(own->Translated(turn));
+    const bool forward = kept.Orientation() == TopAbs_FORWARD;
+    join(kept, gone);
+    BRep_Builder().UpdateEdge(kept, forward ? own : across, forward ? across : own, face,
+                              BRep_Tool::Tolerance(kept));
+    return true;
+  }
+
+  static gp_Pnt2d middle_on(const TopoDS_Edge& edge, const TopoDS_Face& face) {
+    double first = 0.0, last = 0.0;
+    return BRep_Tool::CurveOnSurface(edge, face, first, last)->Value(0.5 * (first + last));
   }
 
   void join(const TopoDS_Edge& kept, const TopoDS_Edge& gone) {

@@ -19,9 +19,11 @@
 #include "base/segment.h"
 #include "geom/occt/canonical.h"
 #include "geom/occt/caps.h"
+#include "geom/occt/edge_uses.h"
 #include "geom/occt/entity_names.h"
 #include "geom/occt/free_edges.h"
 #include "geom/occt/shape_box.h"
+#include "geom/occt/sub_shapes.h"
 
 namespace octet {
 namespace {
@@ -75,6 +77,20 @@ std::string advice_for(double gap, double diagonal, double sewn) {
   if (gap > kSewable * diagonal) return "close the shell there: no other face comes near";
   if (kReserve * gap <= sewn) return "close the shell there";
   return fmt::format("sew its faces with --sew {:.2g}, or close the shell there", kReserve * gap);
+}
+
+/// Of several faces, none of which is in a solid by a cap.
+std::vector<TopoDS_Shape> open_shells(const Sewn& sewn) {
+  TopTools_MapOfShape used;
+  for (const TopoDS_Shape& solid : sewn.solids)
+    for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next()) used.Add(it.Current());
+  std::vector<TopoDS_Shape> shells;
+  for (TopExp_Explorer it(sewn.shape, TopAbs_SHELL); it.More(); it.Next()) {
+    const TopTools_IndexedMapOfShape faces = sub_shapes(it.Current(), TopAbs_FACE);
+    if (faces.Extent() > 1 && !used.Contains(faces(1)) && edge_uses(it.Current()).first(&Uses::open) != 0)
+      shells.push_back(it.Current());
+  }
+  return shells;
 }
 
 }  // namespace
@@ -157,6 +173,7 @@ SolidSet collect_solids(const TopoDS_Shape& shape, const ShapeMaps& as_read, con
         loose.size(), sewn.tolerance, sewn.solids.size(), sewn.free_edges));
     add_caps(sewn.caps, as_read, set);
     set.solids.insert(set.solids.end(), sewn.solids.begin(), sewn.solids.end());
+    set.open = open_shells(sewn);
   }
   if (set.solids.empty()) {
     const Fault opening =

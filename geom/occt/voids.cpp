@@ -4,15 +4,22 @@
 
 #include <BRepClass3d.hxx>
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Precision.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
 #include <TopoDS_Iterator.hxx>
 #include <TopoDS_Solid.hxx>
 
+#include <cmath>
+
 #include "geom/occt/group_fuse.h"
+#include "geom/occt/shape_measures.h"
 
 namespace octet {
 namespace {
@@ -53,6 +60,29 @@ bool any_cut(const TopoDS_Shape& solid, BRepTools_History& history) {
   return false;
 }
 
+/// Whether the solids fill what the one did: by OCCT's integrals, which are off by a little on splines.
+bool fill(const std::vector<TopoDS_Shape>& solids, const TopoDS_Shape& solid) {
+  constexpr double kShare = 1e-3;
+  double volume = -volume_of(solid);
+  for (const TopoDS_Shape& made : solids) volume += volume_of(made);
+  return std::abs(volume) <= kShare * std::abs(volume_of(solid));
+}
+
+/// Whether an edge without length lost its range on a face: a fuse cuts some at their own vertex, where that
+/// is touched.
+bool any_pole_lost(const std::vector<TopoDS_Shape>& solids) {
+  for (const TopoDS_Shape& solid : solids)
+    for (TopExp_Explorer faces(solid, TopAbs_FACE); faces.More(); faces.Next())
+      for (TopExp_Explorer it(faces.Current(), TopAbs_EDGE); it.More(); it.Next()) {
+        const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
+        if (!BRep_Tool::Degenerated(edge)) continue;
+        double first = 0.0, last = 0.0;
+        BRep_Tool::CurveOnSurface(edge, TopoDS::Face(faces.Current()), first, last);
+        if (!(last - first > Precision::PConfusion())) return true;
+      }
+  return false;
+}
+
 }  // namespace
 
 VoidsJoined join_voids(const TopoDS_Shape& solid) {
@@ -68,7 +98,7 @@ VoidsJoined join_voids(const TopoDS_Shape& solid) {
   VoidsJoined joined{{}, fuse.history(), true};
   for (const TopoDS_Shape& image : fuse.images()[0])
     if (!voids.Contains(image)) joined.solids.push_back(image.Oriented(solid.Orientation()));
-  if (joined.solids.empty()) return same;
+  if (joined.solids.empty() || !fill(joined.solids, solid) || any_pole_lost(joined.solids)) return same;
   for (const TopoDS_Shape& made : joined.solids) joined.history->AddModified(solid, made);
   return joined;
 }

@@ -4,14 +4,32 @@
 
 #include <gtest/gtest.h>
 
+#include <BRepAdaptor_Surface.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepLib.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
+#include <BRepTools_ReShape.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom2d_Curve.hxx>
+#include <Geom2d_TrimmedCurve.hxx>
+#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
+#include <TopoDS_Iterator.hxx>
+#include <TopoDS_Vertex.hxx>
 #include <TopoDS_Wire.hxx>
+#include <algorithm>
+#include <gp.hxx>
 #include <gp_Ax2.hxx>
 #include <numbers>
 
@@ -76,6 +94,104 @@ TEST_P(Hairlines, ThatMeetLeaveAModelWithoutThem) {
   EXPECT_EQ(edges_at(model, {kRadius, 0.0, 0.0}), 2);
   EXPECT_EQ(edges_at(model, {kRadius, kHalf, 0.0}), 4);
   EXPECT_NEAR(model.region(1).volume, kVolume + blades * kBlade, 1e-5);
+}
+
+constexpr double kHole = 2.0;
+
+/// A block with a hole, and a pocket from above whose sharp side ends on the hole's seam: along that line the
+/// solid touches itself.
+TopoDS_Shape pocket_beside_a_hole() {
+  const gp_Ax2 axes(gp_Pnt(0, 0, -1), gp::DZ(), gp::DX());
+  const TopoDS_Shape block = BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(gp_Pnt(-5, -5, 0), gp_Pnt(5, 5, 3)).Shape(),
+                                             BRepPrimAPI_MakeCylinder(axes, kHole, 5.0).Shape());
+  BRepBuilderAPI_MakePolygon triangle(gp_Pnt(kHole, 0, 1), gp_Pnt(kHole + 2, -1, 1), gp_Pnt(kHole + 2, 1, 1),
+                                      true);
+  const TopoDS_Shape pocket =
+      BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(triangle.Wire()).Shape(), gp_Vec(0, 0, 5)).Shape();
+  return TopExp_Explorer(BRepAlgoAPI_Cut(block, pocket), TopAbs_SOLID).Current();
+}
+
+bool is_line_of_contact(const TopoDS_Edge& edge) {
+  TopoDS_Vertex a, b;
+  TopExp::Vertices(edge, a, b);
+  const auto at = [](const TopoDS_Vertex& v, double z) {
+    return BRep_Tool::Pnt(v).Distance(gp_Pnt(kHole, 0, z)) < 1e-6;
+  };
+  return (at(a, 1) && at(b, 3)) || (at(a, 3) && at(b, 1));
+}
+
+/// The solid with an edge for either side of the line, as other CAD systems write it.
+TopoDS_Shape with_two_edges(const TopoDS_Shape& solid) {
+  const BRep_Builder builder;
+  Handle(BRepTools_ReShape) changes = new BRepTools_ReShape;
+  TopoDS_Edge line;
+  for (TopExp_Explorer it(solid, TopAbs_EDGE); it.More(); it.Next())
+    if (is_line_of_contact(TopoDS::Edge(it.Current()))) line = TopoDS::Edge(it.Current());
+  TopoDS_Vertex a, b;
+  TopExp::Vertices(line, a, b);
+  const TopoDS_Edge first = BRepBuilderAPI_MakeEdge(a, b), second = BRepBuilderAPI_MakeEdge(a, b);
+  bool turned = false;
+  for (TopExp_Explorer faces(solid, TopAbs_FACE); faces.More(); faces.Next()) {
+    const TopoDS_Face face = TopoDS::Face(faces.Current().Oriented(TopAbs_FORWARD));
+    const bool round = BRepAdaptor_Surface(face).GetType() == GeomAbs_Cylinder;
+    for (TopExp_Explorer wires(face, TopAbs_WIRE); wires.More(); wires.Next()) {
+      TopoDS_Wire made;
+      builder.MakeWire(made);
+      bool changed = false;
+      for (TopoDS_Iterator it(wires.Current()); it.More(); it.Next()) {
+        const TopoDS_Edge& edge = TopoDS::Edge(it.Value());
+        if (!edge.IsSame(line)) {
+          builder.Add(made, edge);
+          continue;
+        }
+        changed = true;
+        // One of the planes and one side of the hole have each.
+        const bool forward = edge.Orientation() == TopAbs_FORWARD;
+        const TopoDS_Edge& own = (round ? forward : turned) ? first : second;
+        double t0 = 0.0, t1 = 0.0;
+        const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, face, t0, t1);
+        builder.UpdateEdge(own, new Geom2d_TrimmedCurve(curve, t0, t1), face, 1e-7);
+        builder.Range(own, face, t0, t1);
+        builder.SameRange(own, false);
+        builder.SameParameter(own, false);
+        builder.Add(made, own.Oriented(edge.Orientation()));
+      }
+      if (changed) changes->Replace(wires.Current(), made);
+      if (changed && !round) turned = !turned;
+    }
+  }
+  const TopoDS_Shape parted = changes->Apply(solid);
+  BRepLib::SameParameter(parted, 1e-7, true);
+  return parted;
+}
+
+int uses_of_contact(const TopoDS_Shape& solid) {
+  int most = 0;
+  const EdgeUses all = edge_uses(solid);
+  for (int i = 1; i <= all.edges.Extent(); ++i)
+    if (is_line_of_contact(TopoDS::Edge(all.edges(i))))
+      most = std::max(most, all.uses[static_cast<std::size_t>(i)].forward +
+                                all.uses[static_cast<std::size_t>(i)].reversed);
+  return most;
+}
+
+TEST(SeamHairlines, BecomeAPieceOfTheSeam) {
+  const TopoDS_Shape whole = pocket_beside_a_hole();
+  ASSERT_EQ(uses_of_contact(whole), 4);
+  const TopoDS_Shape parted = with_two_edges(whole);
+  ASSERT_EQ(uses_of_contact(parted), 2);
+  ASSERT_EQ(edge_uses(parted).first(&Uses::open), 0);
+  const Repair closed = close_hairlines(parted, 1e-6);
+  EXPECT_EQ(closed.entities.size(), 1u);
+  EXPECT_EQ(uses_of_contact(closed.solid), 4);
+  const Model model = model_from_shape(parted), same = model_from_shape(whole);
+  EXPECT_EQ(check_model(model), "");
+  EXPECT_EQ(model.count(1), same.count(1));
+  EXPECT_EQ(model.region_at({kHole - 0.01, 0, 2}), 0);
+  EXPECT_EQ(model.region_at({kHole + 0.01, 0, 2}), 0);
+  EXPECT_EQ(model.region_at({kHole, 0.1, 2}), 1);
+  EXPECT_EQ(model.region_at({kHole, -0.1, 2}), 1);
+  EXPECT_NEAR(model.region(1).volume, same.region(1).volume, 1e-9);
 }
 
 INSTANTIATE_TEST_SUITE_P(Blades, Hairlines, ::testing::Values(1, 2));

@@ -29,6 +29,8 @@
 #include <TopoDS_Solid.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <TopoDS_Wire.hxx>
+#include <gp.hxx>
+#include <gp_Ax2.hxx>
 #include <gp_Pln.hxx>
 #include <gp_Pnt.hxx>
 #include <gp_Trsf.hxx>
@@ -254,6 +256,22 @@ TEST(Heal, AVoidApartFromTheOutsideIsLeftAlone) {
   const Model model = model_from_shape(stepped_block_with_void(0.5, 0.05));
   EXPECT_EQ(note_with(model, "voids of"), "");
   EXPECT_EQ(model.count(1), 18 + 12);
+}
+
+TEST(Heal, AVoidThatTouchesTheOutsideAtPointsIsNotLost) {
+  // OCCT's fuse loses the ball: its seam's middle lies on the box.
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(gp_Pnt(-2, -2, -2), gp_Pnt(2, 2, 2)).Shape();
+  const Model model = model_from_shape(BRepAlgoAPI_Cut(box, BRepPrimAPI_MakeSphere(2.0).Shape()).Shape());
+  EXPECT_EQ(model.count(2), 7);
+  EXPECT_NEAR(model.region(1).volume, 64.0 - 32.0 / 3.0 * kPi, 1e-6);
+}
+
+TEST(Heal, AVoidThatTouchesTheOutsideWithItsPolesKeepsThem) {
+  const gp_Ax2 axes(gp_Pnt(0, 0, -2), gp::DZ());
+  const TopoDS_Shape rod = BRepPrimAPI_MakeCylinder(axes, 3.0, 4.0).Shape();
+  const Model model = model_from_shape(BRepAlgoAPI_Cut(rod, BRepPrimAPI_MakeSphere(2.0).Shape()).Shape());
+  EXPECT_EQ(model.count(2), 4);
+  EXPECT_NEAR(model.region(1).volume, (36.0 - 32.0 / 3.0) * kPi, 1e-6);
 }
 
 TEST(Heal, WhatACircleAloneHeldTogetherBecomesTwoSolids) {

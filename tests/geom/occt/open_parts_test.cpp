@@ -67,6 +67,17 @@ TEST(OpenParts, AShellThatLacksAFaceIsAFault) {
   EXPECT_NE(parts.faults[0].cause.find("\"part 1\" is left out"), std::string::npos) << parts.faults[0].cause;
 }
 
+TEST(OpenParts, AShellThatSewingLeavesOpenBesideAClosedOneIsAFault) {
+  std::vector<TopoDS_Shape> faces = loose_faces({0, 0, 0}, 0);
+  const std::vector<TopoDS_Shape> open = loose_faces({5, 0, 0}, 1);
+  faces.insert(faces.end(), open.begin(), open.end());
+  const ModelParts parts = parts_of({compound_of(faces)});  // all in one part
+  EXPECT_EQ(parts.regions.size(), 2u);
+  ASSERT_EQ(parts.faults.size(), 1u);
+  EXPECT_NE(parts.faults[0].cause.find("a shell of 5 faces is left out"), std::string::npos)
+      << parts.faults[0].cause;
+}
+
 /// A block with a hole of radius 2 along z, and a tube of the radius and z given along the hole's axis.
 ModelParts block_and_tube(double radius, double z0, double z1) {
   const TopoDS_Shape block = BRepPrimAPI_MakeBox(gp_Pnt(-5, -5, 0), 10, 10, 10).Shape();
