@@ -114,8 +114,14 @@ struct Begun {
 
 class Run {
  public:
-  Run(const OwnFrame& frame, const MeshOptions& options, Observer& observer)
-      : frame_(frame), part_(frame.part()), model_(frame.model()), options_(options), observer_(observer) {}
+  /// `most`: tetrahedra; TooManyTets is thrown where there would be far more.
+  Run(const OwnFrame& frame, const MeshOptions& options, double most, Observer& observer)
+      : frame_(frame),
+        part_(frame.part()),
+        model_(frame.model()),
+        options_(options),
+        most_(most),
+        observer_(observer) {}
 
   MeshResult run() {
     choose_size();
@@ -358,9 +364,21 @@ class Run {
     result_.report.template_tets = near.tets.size();
     fixed_vertices_ = near.first.size();
     result_.mesh = extract_mesh(*band_->band, tets, points, on, *band_->chains, near);
+    refuse_too_many();
     band_->forget_band();
     if (!broken_.empty()) leave_out(result_.mesh, model_, broken_);
     dump("classified");
+  }
+
+  /// Finalization changes the number by less than what is allowed for.
+  void refuse_too_many() const {
+    constexpr double kFarMore = 1.2;
+    auto count = static_cast<double>(result_.mesh.tets.size());
+    if (count <= most_) return;
+    Mesh interior;
+    count +=
+        static_cast<double>(append_deep(band_->tree, band_->vertices, band_->labels, band_->split, interior));
+    if (count > kFarMore * most_) throw TooManyTets{count};
   }
 
   /// Goes back to what finalization began with.
@@ -514,6 +532,7 @@ class Run {
   const Model& part_;   ///< as the user has it: what is told and accepted
   const Model& model_;  ///< in its own axes: what is meshed
   const MeshOptions& options_;
+  double most_;
   Observer& observer_;
   MeshResult result_;
   StageClock clock_;
@@ -551,10 +570,13 @@ MeshResult mesh_part(const Model& model, const MeshOptions& options, Observer& o
   watched.cancelled = [&observer] { return observer.cancelled(); };
   arena.execute([&] {
     const OwnFrame frame(model, watched);
-    const auto mesh = [&](const MeshOptions& with) {
-      return apart ? mesh_apart(model, with, observer) : Run(frame, with, observer).run();
+    const auto mesh = [&](const MeshOptions& with, double most) {
+      return apart ? mesh_apart(model, with, observer) : Run(frame, with, most, observer).run();
     };
-    result = options.target_elements > 0.0 ? mesh_to_target(frame.model(), frame.options(), mesh)
+    const auto mesh_all = [&](const MeshOptions& with) {
+      return mesh(with, std::numeric_limits<double>::infinity());
+    };
+    result = options.target_elements > 0.0 ? mesh_to_target(frame.model(), frame.options(), mesh_all)
                                            : mesh_by_default(frame.model(), frame.options(), mesh);
   });
   MeshReport& report = result.report;

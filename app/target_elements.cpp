@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -82,19 +83,27 @@ MeshResult mesh_to_target(const Model& model, const MeshOptions& options,
   return *std::move(best);
 }
 
-MeshResult mesh_by_default(const Model& model, const MeshOptions& options,
-                           const std::function<MeshResult(const MeshOptions&)>& mesh) {
+MeshResult mesh_by_default(const Model& model, const MeshOptions& options, const BoundedMesher& mesh) {
+  constexpr double kUnbounded = std::numeric_limits<double>::infinity();
   const MeshOptions chosen = with_default_size(model, options);
-  MeshResult result = mesh(chosen);
-  const auto count = static_cast<double>(result.report.tets);
-  if (!has_free_sizes(options) || count <= kMostByDefault) return result;
+  std::optional<MeshResult> result;
+  double count = 0.0;
+  try {
+    result = mesh(chosen, has_free_sizes(options) ? kMostByDefault : kUnbounded);
+    count = static_cast<double>(result->report.tets);
+  } catch (const TooManyTets& many) {
+    count = many.count;
+  }
+  if (result && (!has_free_sizes(options) || count <= kMostByDefault)) return *std::move(result);
   // Counts go with the size to the power -2 at the boundary, of which such parts have much.
   const double scale = std::sqrt(count / (kSafeShare * kMostByDefault));
-  MeshResult coarser = mesh(scaled_sizes(model, chosen, scale));
+  MeshResult coarser = mesh(scaled_sizes(model, chosen, scale), kUnbounded);
+  if (!result && coarser.report.status == MeshStatus::kComplete) return coarser;
+  if (!result) result = mesh(chosen, kUnbounded);
   const auto rank = [](const MeshResult& r) {
     return std::pair(r.report.status != MeshStatus::kComplete, r.report.tets);
   };
-  return rank(coarser) < rank(result) ? std::move(coarser) : std::move(result);
+  return rank(coarser) < rank(*result) ? std::move(coarser) : *std::move(result);
 }
 
 }  // namespace octet

@@ -18,10 +18,19 @@ namespace octet {
 /// What a mesh without any size asked for may have, where that does not cost its being complete.
 inline constexpr double kMostByDefault = 500'000.0;
 
+/// Thrown before finalization, which is most of the work, by a mesh that will have far more tetrahedra than
+/// it may.
+struct TooManyTets {
+  double count = 0.0;
+};
+
+/// Meshes with options, or throws TooManyTets where the mesh would have far more than `most` tetrahedra.
+using BoundedMesher = std::function<MeshResult(const MeshOptions&, double most)>;
+
 /// Meshes with the default size (with_default_size()), once more with larger ones where more than
 /// kMostByDefault tetrahedra come of it and nothing was asked for: octrees promise too little where a part
 /// has many features far below the size. The larger mesh is returned only where it alone is complete.
 [[nodiscard]] MeshResult mesh_by_default(const Model& model, const MeshOptions& options,
-                                         const std::function<MeshResult(const MeshOptions&)>& mesh);
+                                         const BoundedMesher& mesh);
 
 }  // namespace octet

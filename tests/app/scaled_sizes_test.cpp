@@ -124,15 +124,19 @@ class Pretender {
  public:
   Pretender(double factor, double open_from, double open_to)
       : factor_(factor), open_from_(open_from), open_to_(open_to) {}
-  MeshResult operator()(const MeshOptions& options) {
+  MeshResult operator()(const MeshOptions& options, double most) {
     sizes.push_back(options.size);
+    const double count = factor_ / (options.size * options.size);
+    if (count > 1.2 * most) throw TooManyTets{count};
+    ++finished;
     MeshResult result;
-    result.report.tets = static_cast<std::size_t>(factor_ / (options.size * options.size));
+    result.report.tets = static_cast<std::size_t>(count);
     const bool open = options.size > open_from_ && options.size < open_to_;
     result.report.status = open ? MeshStatus::kIncomplete : MeshStatus::kComplete;
     return result;
   }
   std::vector<double> sizes;
+  int finished = 0;
 
  private:
   double factor_, open_from_, open_to_;
@@ -152,10 +156,16 @@ TEST(ScaledSizes, AMeshThatIsLargerThanPromisedIsMadeAgain) {
   EXPECT_NEAR(static_cast<double>(by_default(large, {}).tets), 400'000.0, 1.0);
   ASSERT_EQ(large.sizes.size(), 2u);
   EXPECT_GT(large.sizes[1], large.sizes[0]);
+  EXPECT_EQ(large.finished, 1) << "far too many are seen before the work is done";
+  Pretender somewhat_large(560'000.0 * size * size, 0.0, 0.0);
+  EXPECT_NEAR(static_cast<double>(by_default(somewhat_large, {}).tets), 400'000.0, 1.0);
+  EXPECT_EQ(somewhat_large.finished, 2);
   Pretender open_at_both(many, 0.0, 10.0);
   EXPECT_LT(by_default(open_at_both, {}).tets, 500'000u);
   Pretender open_when_coarse(many, 1.01 * size, 10.0);
   EXPECT_EQ(by_default(open_when_coarse, {}).status, MeshStatus::kComplete) << "rather too large than open";
+  EXPECT_EQ(open_when_coarse.sizes.size(), 3u);
+  EXPECT_EQ(open_when_coarse.sizes[2], open_when_coarse.sizes[0]);
   MeshOptions bounded;
   bounded.min_size = 0.001;
   Pretender asked(many, 0.0, 0.0);
