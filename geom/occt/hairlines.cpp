@@ -3,6 +3,7 @@
 #include "geom/occt/hairlines.h"
 
 #include <BRepAdaptor_Surface.hxx>
+#include <BRepTopAdaptor_FClass2d.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2d_Curve.hxx>
@@ -30,6 +31,8 @@
 #include <vector>
 
 #include "geom/occt/edge_distance.h"
+#include "geom/occt/face_parts.h"
+#include "geom/occt/gathered.h"
 #include "geom/occt/sub_shapes.h"
 
 namespace octet {
@@ -46,17 +49,33 @@ bool joins_the_same(const Side& a, const Side& b) {
   return a.from != 0 && a.to != 0 && a.from != a.to && a.from == b.to && a.to == b.from;
 }
 
-/// Whether one can go from any of the sides to any other by the vertices that they share.
-bool hang_together(const Loop& sides) {
-  if (sides.empty()) return false;
+/// The vertices that one can go to from the first of the sides by those that they share.
+std::set<int> within_reach(const Loop& sides) {
   std::set<int> reached{sides.front().from};
   for (std::size_t before = 0; before != reached.size();) {
     before = reached.size();
     for (const Side& side : sides)
       if (reached.contains(side.from) || reached.contains(side.to)) reached.insert({side.from, side.to});
   }
+  return reached;
+}
+
+bool hang_together(const Loop& sides) {
+  if (sides.empty()) return false;
+  const std::set<int> reached = within_reach(sides);
   return std::all_of(sides.begin(), sides.end(),
                      [&](const Side& side) { return reached.contains(side.from); });
+}
+
+/// Takes from the sides, and returns, those that do not hang together with the first.
+Loop taken_apart(Loop& sides) {
+  if (sides.empty()) return {};
+  const std::set<int> reached = within_reach(sides);
+  const auto apart = std::stable_partition(sides.begin(), sides.end(),
+                                           [&](const Side& side) { return reached.contains(side.from); });
+  Loop taken(apart, sides.end());
+  sides.erase(apart, sides.end());
+  return taken;
 }
 
 /// The loops `one` and `other`, or the one loop that both are, without their sides i and j. What came before
@@ -122,15 +141,57 @@ class Closer {
         loop.push_back({edge, vertices.FindIndex(from), vertices.FindIndex(to)});
       }
     }
-    std::vector<bool> changed(loops.size(), false);
-    for (std::size_t i = 0; i < loops.size(); ++i)
-      for (std::size_t j = i; j < loops.size();) {
-        const bool closed = close_between(loops[i], loops[j], face);
+    const std::size_t given = loops.size();
+    std::vector<bool> changed(given, false);
+    for (std::size_t i = 0; i < given; ++i)
+      for (std::size_t j = i; j < given;) {
+        Loop parted;
+        const bool closed = close_between(loops[i], loops[j], face, parted);
         if (closed) changed[i] = changed[j] = true;
+        if (!parted.empty()) loops.push_back(std::move(parted));
         j = closed ? i : j + 1;
       }
-    for (std::size_t i = 0; i < loops.size(); ++i)
+    if (loops.size() > given) return rebuild(face, loops);
+    for (std::size_t i = 0; i < given; ++i)
       if (changed[i]) replace(wires[i], loops[i]);
+  }
+
+  /// A face for each loop that goes around one, with the holes in it.
+  void rebuild(const TopoDS_Face& face, const std::vector<Loop>& loops) {
+    const BRep_Builder builder;
+    std::vector<TopoDS_Face> parts;
+    for (const Loop& loop : loops) {
+      if (loop.empty() || area_of(loop, face) <= 0.0) continue;
+      parts.push_back(TopoDS::Face(face.EmptyCopied()));
+      builder.Add(parts.back(), wire_of(loop));
+    }
+    const std::vector<TopoDS_Face> outlines = parts;
+    for (const Loop& loop : loops) {
+      if (loop.empty() || area_of(loop, face) > 0.0) continue;
+      const gp_Pnt2d place = middle_on(loop.front().edge, face);
+      for (std::size_t k = 0; k < parts.size(); ++k) {
+        if (parts.size() > 1 &&
+            BRepTopAdaptor_FClass2d(outlines[k], Precision::PConfusion()).Perform(place) != TopAbs_IN)
+          continue;
+        builder.Add(parts[k], wire_of(loop));
+        break;
+      }
+    }
+    changes_->Replace(face, shell_of(parts));
+  }
+
+  static double area_of(const Loop& loop, const TopoDS_Face& face) {
+    double area = 0.0;
+    for (const Side& side : loop) area += area_along(side.edge, face);
+    return area;
+  }
+
+  static TopoDS_Wire wire_of(const Loop& loop) {
+    const BRep_Builder builder;
+    TopoDS_Wire made;
+    builder.MakeWire(made);
+    for (const Side& side : loop) builder.Add(made, side.edge);
+    return made;
   }
 
   void replace(const TopoDS_Shape& wire, const Loop& loop) {
@@ -138,34 +199,41 @@ class Closer {
       changes_->Remove(wire);
       return;
     }
-    const BRep_Builder builder;
-    TopoDS_Wire made;
-    builder.MakeWire(made);
-    for (const Side& side : loop) builder.Add(made, side.edge);
-    changes_->Replace(wire, made);
+    changes_->Replace(wire, wire_of(loop));
   }
 
-  /// What is left of both becomes the first.
-  bool close_between(Loop& one, Loop& other, const TopoDS_Face& face) {
+  /// What is left of both becomes the first, but for what `parted` is given of a loop that becomes two.
+  bool close_between(Loop& one, Loop& other, const TopoDS_Face& face, Loop& parted) {
     for (std::size_t i = 0; i < one.size(); ++i)
       for (std::size_t j = &one == &other ? i + 1 : 0; j < other.size(); ++j) {
         if (!is_hairline(one[i], other[j])) continue;
         Loop rest = without(one, i, other, j);
-        // Else it parts the face, or holes in it that it joins, or the face goes on beyond it.
         if (!hang_together(rest)) {
-          if (&one == &other && join_across_seam(one[i].edge, other[j].edge, face)) return true;
-          continue;
+          if (&one != &other) continue;
+          if (join_across_seam(one[i].edge, other[j].edge, face)) return true;
+          parted = taken_apart(rest);
+          if (!parts_cleanly(rest, parted, face)) {
+            parted.clear();
+            continue;
+          }
         }
         // The better one stays.
         if (BRep_Tool::Tolerance(other[j].edge) < BRep_Tool::Tolerance(one[i].edge))
           join(other[j].edge, one[i].edge);
         else
           join(one[i].edge, other[j].edge);
-        other.clear();
+        if (&one != &other) other.clear();
         one = std::move(rest);
         return true;
       }
     return false;
+  }
+
+  /// Whether two loops come of one: a neck without width, or a crack from the outline to a hole.
+  static bool parts_cleanly(const Loop& one, const Loop& other, const TopoDS_Face& face) {
+    const BRepAdaptor_Surface surface(face, false);
+    return !surface.IsUPeriodic() && !surface.IsVPeriodic() && hang_together(one) && hang_together(other) &&
+           (area_of(one, face) > 0.0 || area_of(other, face) > 0.0);
   }
 
   /// Where the two are a period apart the face is on either side of the line: they are a piece of its seam,

@@ -10,6 +10,7 @@
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepLib.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
@@ -31,11 +32,16 @@
 #include <algorithm>
 #include <gp.hxx>
 #include <gp_Ax2.hxx>
+#include <gp_Dir.hxx>
+#include <gp_Pln.hxx>
+#include <gp_Pnt.hxx>
+#include <gp_Vec.hxx>
 #include <numbers>
 
 #include "geom/model_check.h"
 #include "geom/occt/edge_uses.h"
 #include "geom/occt/from_shape.h"
+#include "geom/occt/gathered.h"
 #include "geom/occt/sub_shapes.h"
 #include "geom/occt/touched_edges.h"
 #include "tests/support/notes.h"
@@ -192,6 +198,73 @@ TEST(SeamHairlines, BecomeAPieceOfTheSeam) {
   EXPECT_EQ(model.region_at({kHole, 0.1, 2}), 1);
   EXPECT_EQ(model.region_at({kHole, -0.1, 2}), 1);
   EXPECT_NEAR(model.region(1).volume, same.region(1).volume, 1e-9);
+}
+
+/// A solid of plane faces, each a loop of corners; an edge between the same two corners may be there twice.
+class Polyhedron {
+ public:
+  explicit Polyhedron(const std::vector<gp_Pnt>& corners) {
+    for (const gp_Pnt& corner : corners) corners_.push_back(BRepBuilderAPI_MakeVertex(corner));
+  }
+  /// `twin`: the corners whose edge to the next one is the second of two.
+  void add(const std::vector<int>& loop, const std::set<std::size_t>& twins = {}) {
+    const BRep_Builder builder;
+    TopoDS_Wire wire;
+    builder.MakeWire(wire);
+    gp_Vec normal;
+    const auto at = [&](std::size_t k) {
+      return BRep_Tool::Pnt(corners_[static_cast<std::size_t>(loop[k % loop.size()])]);
+    };
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      builder.Add(wire, edge(loop[k], loop[(k + 1) % loop.size()], twins.contains(k)));
+      normal += gp_Vec(gp::Origin(), at(k)).Crossed(gp_Vec(gp::Origin(), at(k + 1)));
+    }
+    faces_.push_back(BRepBuilderAPI_MakeFace(gp_Pln(at(0), gp_Dir(normal)), wire, false));
+  }
+  [[nodiscard]] TopoDS_Shape solid() const { return solid_of(faces_); }
+
+ private:
+  TopoDS_Edge edge(int from, int to, bool twin) {
+    TopoDS_Edge& edge = edges_[{std::min(from, to), std::max(from, to), twin}];
+    if (edge.IsNull())
+      edge = BRepBuilderAPI_MakeEdge(corners_[static_cast<std::size_t>(std::min(from, to))],
+                                     corners_[static_cast<std::size_t>(std::max(from, to))]);
+    return TopoDS::Edge(edge.Oriented(from < to ? TopAbs_FORWARD : TopAbs_REVERSED));
+  }
+
+  std::vector<TopoDS_Vertex> corners_;
+  std::map<std::tuple<int, int, bool>, TopoDS_Edge> edges_;
+  std::vector<TopoDS_Face> faces_;
+};
+
+TEST(NeckHairlines, PartTheFace) {
+  // A base of 3 by 2 by 1 with two towers on it, whose sides at y = 1 are one face: along the base between
+  // them it has no height.
+  Polyhedron towers({{0, 0, 0}, {3, 0, 0}, {3, 2, 0}, {0, 2, 0}, {0, 2, 1}, {3, 2, 1}, {0, 1, 1},
+                     {1, 1, 1}, {2, 1, 1}, {3, 1, 1}, {1, 0, 1}, {2, 0, 1}, {0, 0, 2}, {1, 0, 2},
+                     {1, 1, 2}, {0, 1, 2}, {2, 0, 2}, {3, 0, 2}, {3, 1, 2}, {2, 1, 2}});
+  towers.add({0, 3, 2, 1});
+  towers.add({0, 1, 17, 16, 11, 10, 13, 12});
+  towers.add({1, 2, 5, 9, 18, 17});
+  towers.add({3, 0, 12, 15, 6, 4});
+  towers.add({2, 3, 4, 5});
+  towers.add({6, 7, 8, 9, 5, 4}, {1});
+  towers.add({10, 11, 8, 7});
+  towers.add({10, 7, 14, 13});
+  towers.add({8, 11, 16, 19});
+  towers.add({12, 13, 14, 15});
+  towers.add({16, 17, 18, 19});
+  towers.add({8, 7, 6, 15, 14, 7, 8, 19, 18, 9}, {0});
+  const TopoDS_Shape solid = towers.solid();
+  ASSERT_EQ(edge_uses(solid).first(&Uses::open), 0);
+  const Repair closed = close_hairlines(solid, 1e-6);
+  EXPECT_EQ(closed.entities.size(), 1u);
+  EXPECT_EQ(edge_uses(closed.solid).first(&Uses::open), 0);
+  EXPECT_EQ(edge_uses(closed.solid).first(&Uses::turned), 0);
+  const Model model = model_from_shape(solid);
+  EXPECT_EQ(check_model(model), "");
+  EXPECT_EQ(model.count(2), 13);
+  EXPECT_NEAR(model.region(1).volume, 8.0, 1e-9);
 }
 
 INSTANTIATE_TEST_SUITE_P(Blades, Hairlines, ::testing::Values(1, 2));
