@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "base/segment.h"
 #include "geom/occt/curve_jets.h"
@@ -130,12 +129,15 @@ double OcctCurve::refine(const Vec3& p, double t, double lo, double hi) const {
 // Samples are no measure: a branch that bends has them close together, one that runs straight has few, and
 // the nearest may be of the wrong one.
 double OcctCurve::project(const Vec3& p, double hint) const {
-  const std::size_t pieces = sample_.size() - 1;
   const auto chord_distance = [&](std::size_t i) {
     return distance_to_segment(p, sample_[i], sample_[i + 1]);
   };
-  std::size_t first = 0;
-  double least = std::numeric_limits<double>::infinity();
+  const auto bulge = [&](std::size_t i) { return kTurn * (sample_[i + 1] - sample_[i]).norm(); };
+  const auto above = std::upper_bound(sample_t_.begin() + 1, sample_t_.end() - 1, hint);
+  const std::size_t own =
+      std::min(static_cast<std::size_t>(above - sample_t_.begin()) - 1, sample_.size() - 2);
+  std::size_t first = own;
+  double least = chord_distance(own);
   for (std::size_t block = 0; block < blocks_.size(); ++block) {
     if (blocks_[block].samples.squared_distance(p) >= least * least) continue;
     for (std::size_t i = kBlock * block; i < end_of(kBlock * block); ++i) {
@@ -145,15 +147,10 @@ double OcctCurve::project(const Vec3& p, double hint) const {
       first = i;
     }
   }
-  // The hint's own piece wins ties, so that equal branches keep the caller's.
-  const auto above = std::upper_bound(sample_t_.begin() + 1, sample_t_.end() - 1, hint);
-  const std::size_t own = std::min(static_cast<std::size_t>(above - sample_t_.begin()) - 1, pieces - 1);
-  const double rounding = 1e-13 * scale_;
   Nearest nearest = refine_piece(first, p, hint);
-  const auto reaches = [&](std::size_t i) {
-    const double bulge = kTurn * (sample_[i + 1] - sample_[i]).norm();
-    return chord_distance(i) <= nearest.distance + bulge;
-  };
+  const auto reaches = [&](std::size_t i) { return chord_distance(i) <= nearest.distance + bulge(i); };
+  // The hint's own piece wins ties, so that equal branches keep the caller's.
+  const double rounding = 1e-13 * scale_;
   if (own != first && reaches(own)) {
     const Nearest other = refine_piece(own, p, hint);
     if (other.distance <= nearest.distance + rounding) nearest = other;
