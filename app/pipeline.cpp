@@ -34,9 +34,10 @@ namespace octet {
 namespace {
 
 /// How often octants are subdivided where gaps survive, and how often in a row without fewer gaps where the
-/// tree has more octants than a moment's work.
+/// tree has more octants than a moment's work; the last few gaps are tried on, for it is chance that leaves
+/// one more or less.
 constexpr int kSubdivisions = 6, kPatience = 2;
-constexpr std::size_t kCheapTree = 20'000;
+constexpr std::size_t kCheapTree = 20'000, kFewGaps = 10;
 /// Gaps of a boundary that crosses itself beyond which smaller octants are not tried: they cure none of its
 /// crossings, and where these leave few gaps the rest may still close.
 constexpr std::size_t kHopelessGaps = 1000;
@@ -226,7 +227,8 @@ class Run {
       const bool hopeless = too_coarse_ || (!crossings_.empty() && next->closed.gaps.size() > kHopelessGaps);
       if (!next->closed.gaps.empty() && !hopeless && depth < kSubdivisions)
         finer = subdivide_at_gaps(*next, model_, finest_at_gaps());
-      if (finer && depth - best >= kPatience && finer->size() > kCheapTree) finer.reset();
+      const bool few = next->closed.gaps.size() <= kFewGaps;
+      if (finer && depth - best >= kPatience && finer->size() > kCheapTree && !few) finer.reset();
       if (finer && !wish_) wish_ = next->tree;
       seeds_.octree_clearance = kRoomyClearance;
       if (finer)

@@ -149,11 +149,12 @@ double OcctCurve::project(const Vec3& p, double hint) const {
   }
   Nearest nearest = refine_piece(first, p, hint);
   const auto reaches = [&](std::size_t i) { return chord_distance(i) <= nearest.distance + bulge(i); };
-  // The hint's own piece wins ties, so that equal branches keep the caller's.
+  // The hint's own piece wins ties on the curve, so that equal branches keep the caller's. Off the curve a
+  // distance to rounding leaves the foot much room, and the nearer one counts.
   const double rounding = 1e-13 * scale_;
   if (own != first && reaches(own)) {
     const Nearest other = refine_piece(own, p, hint);
-    if (other.distance <= nearest.distance + rounding) nearest = other;
+    if (other.distance <= std::max(nearest.distance, rounding)) nearest = other;
   }
   for (std::size_t block = 0; block < blocks_.size(); ++block) {
     const double reach = nearest.distance + blocks_[block].bulge;
@@ -161,7 +162,7 @@ double OcctCurve::project(const Vec3& p, double hint) const {
     for (std::size_t i = kBlock * block; i < end_of(kBlock * block); ++i) {
       if (i == first || i == own || !reaches(i)) continue;
       const Nearest other = refine_piece(i, p, hint);
-      if (other.distance < nearest.distance - rounding) nearest = other;
+      if (other.distance < nearest.distance && nearest.distance > rounding) nearest = other;
     }
   }
   return nearest.t;
