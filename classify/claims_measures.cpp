@@ -67,9 +67,8 @@ struct EdgeSums {
 // An arc of sagitta s over a chord c is longer by 8 s^2 / (3 c), and has the area 2 s c / 3. An S of the same
 // sagitta is longer by four times as much: hence 11. Where the curve bends between the places that the
 // sagitta is taken at, its own length tells. The shares of c bound what a piece that leaves the curve
-// altogether may claim for itself: what a half circle over it would be longer by, or have for its area.
+// altogether may claim for itself.
 EdgeSums edge_sums(const ClaimInput& in, int tag) {
-  constexpr double kHalfTurn = 0.58;
   EdgeSums sums;
   for (const std::uint32_t e : in.pieces_on[tag]) {
     const PieceMeasure m = measure_piece(in, e);
@@ -77,7 +76,7 @@ EdgeSums edge_sums(const ClaimInput& in, int tag) {
     if (m.sagitta > sums.farthest.distance) sums.farthest = {model_edge(tag), m.place, m.sagitta};
     if (m.chord <= 0.0) continue;
     sums.length_error +=
-        std::min(std::max(11.0 * m.sagitta * m.sagitta / m.chord, 1.1 * m.excess), kHalfTurn * m.chord);
+        std::min(std::max(11.0 * m.sagitta * m.sagitta / m.chord, 1.1 * m.excess), 0.3 * m.chord);
     sums.area_error += 1.4 * std::min(m.sagitta, 0.5 * m.chord) * m.chord;
     sums.volume_error += 2.0 * std::pow(std::min(m.sagitta, 0.5 * m.chord), 2) * m.chord;
   }

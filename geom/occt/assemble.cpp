@@ -3,6 +3,7 @@
 #include "geom/occt/assemble.h"
 
 #include <fmt/format.h>
+
 #include <TopExp_Explorer.hxx>
 
 #include <algorithm>

@@ -7,11 +7,10 @@
 namespace octet {
 
 /// Closes every spike or slit of a face: two of its sides that run against each other between the same two
-/// vertices, and are nowhere farther apart than `width` or their tolerance, where what is left of their loop
-/// hangs together. The one of the lesser tolerance takes the place of the other on the face beyond, with a
-/// curve there, and both leave the loop; sides of two loops leave one loop behind, and a loop that falls in
-/// two, at a neck without width, parts the face. Sides a period apart,
-/// where the face closes on itself, become a piece of its seam.
+/// vertices, and are nowhere farther apart than `width` or their tolerance. The one of the lesser tolerance
+/// takes the place of the other on the face beyond, with a curve there, and both leave the loop; sides of two
+/// loops leave one loop behind, and a loop that falls in two, at a neck without width, parts the face. Sides
+/// a period apart, where the face closes on itself, become a piece of its seam.
 [[nodiscard]] Repair close_hairlines(const TopoDS_Shape& solid, double width);
 
 }  // namespace octet
