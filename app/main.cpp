@@ -13,6 +13,7 @@
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/exit_code.h"
+#include "app/heap.h"
 #include "app/reading_options.h"
 #include "app/size_options.h"
 #include "base/error.h"
@@ -258,5 +259,6 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   octet::ignore_file_size_signal();
+  octet::set_up_heap();
   return octet::run(argc, argv);
 }
