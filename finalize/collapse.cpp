@@ -103,21 +103,22 @@ struct Draft {
   Fit before, after;
 };
 
-/// The star of `gone` with `kept` in its place.
-bool draft_tets(Workshop& shop, VertexId gone, VertexId kept, const std::vector<TetId>& tets, double floor,
+/// The star of `gone`, and that with `kept` in its place; no further than to the first tetrahedron that would
+/// not be better than `floor`: most collapses that are tried end there.
+bool draft_star(Workshop& shop, VertexId gone, VertexId kept, double floor, std::vector<TetId>& tets,
                 Draft& draft) {
-  const WorkMesh& mesh = shop.mesh;
-  for (const TetId t : tets) {
+  WorkMesh& mesh = shop.mesh;
+  return star_while(mesh, gone, tets, [&](TetId t) {
+    if (corner_of(mesh, t, kept) >= 0) return true;
     NewTet tet{mesh.tets[t], mesh.region[t]};
-    if (corner_of(mesh, t, kept) >= 0) continue;
     tet.vertices[corner_of(mesh, t, gone)] = kept;
     const auto& v = tet.vertices;
     ++shop.work;
     if (shape(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], mesh.points[v[3]]) <= floor)
       return false;
     draft.tets.push_back(tet);
-  }
-  return true;
+    return true;
+  });
 }
 
 /// The triangles of `gone` on model faces, drawn to `kept`, and whether they keep to the exact faces.
@@ -197,9 +198,8 @@ bool collapse(Workshop& shop, VertexId gone, VertexId kept, double floor, bool f
   if (mesh.held(kept) && mesh.on[gone].dim < 3) return false;
   if (mesh.on[gone].dim < mesh.on[kept].dim) return false;
   std::vector<TetId> tets, kept_tets;
-  star(mesh, gone, tets);
   Draft draft;
-  if (!draft_tets(shop, gone, kept, tets, floor, draft)) return false;
+  if (!draft_star(shop, gone, kept, floor, tets, draft)) return false;
   if (for_mean && !raises_mean(shop, kept, tets, draft)) return false;
   const auto shared =
       std::find_if(tets.begin(), tets.end(), [&](TetId t) { return corner_of(mesh, t, kept) >= 0; });

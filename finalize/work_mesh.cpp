@@ -318,20 +318,7 @@ void sort_boundary(Mesh& mesh) {
 }
 
 void star(WorkMesh& mesh, VertexId v, std::vector<TetId>& tets) {
-  tets.clear();
-  const std::uint32_t epoch = ++mesh.epoch;
-  tets.push_back(mesh.tet_of[v]);
-  mesh.tet_mark[tets[0]] = epoch;
-  for (std::size_t i = 0; i < tets.size(); ++i) {
-    const TetId t = tets[i];
-    for (int f = 0; f < 4; ++f) {
-      if (mesh.tets[t][f] == v) continue;
-      const TetId n = mesh.neighbours[t][f];
-      if (!n.valid() || mesh.tet_mark[n] == epoch) continue;
-      mesh.tet_mark[n] = epoch;
-      tets.push_back(n);
-    }
-  }
+  star_while(mesh, v, tets, [](TetId) { return true; });
 }
 
 TetId tet_with_edge(WorkMesh& mesh, VertexId a, VertexId b) {

@@ -121,7 +121,28 @@ void remove_piece(WorkMesh& mesh, VertexId a, VertexId b);
 /// Sorts edges and triangles by (tag, vertices), the least vertex of a triangle first.
 void sort_boundary(Mesh& mesh);
 
-/// All tetrahedra at the vertex (cleared first), in the order of the walk from tet_of[v].
+/// All tetrahedra at the vertex (cleared first), in the order of the walk from tet_of[v], for as long as
+/// visit(t) returns true; whether it did to the end.
+template <class Visit>
+bool star_while(WorkMesh& mesh, VertexId v, std::vector<TetId>& tets, const Visit& visit) {
+  tets.clear();
+  const std::uint32_t epoch = ++mesh.epoch;
+  tets.push_back(mesh.tet_of[v]);
+  mesh.tet_mark[tets[0]] = epoch;
+  for (std::size_t i = 0; i < tets.size(); ++i) {
+    const TetId t = tets[i];
+    if (!visit(t)) return false;
+    for (int f = 0; f < 4; ++f) {
+      if (mesh.tets[t][f] == v) continue;
+      const TetId n = mesh.neighbours[t][f];
+      if (!n.valid() || mesh.tet_mark[n] == epoch) continue;
+      mesh.tet_mark[n] = epoch;
+      tets.push_back(n);
+    }
+  }
+  return true;
+}
+/// All of them.
 void star(WorkMesh& mesh, VertexId v, std::vector<TetId>& tets);
 
 /// A tetrahedron that holds the edge, invalid when none does. Costs a star.
