@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <cstdlib>  // tells whether the library is glibc
+#include <fstream>
 
 #ifdef __GLIBC__
 #include <malloc.h>
@@ -28,10 +29,16 @@ bool address_space_is_limited() {
          getrlimit(RLIMIT_DATA, &limit) != 0 || limit.rlim_cur != RLIM_INFINITY;
 }
 
+/// Whether the system counts addresses as memory, of which others would then have the less.
+bool addresses_are_accounted() {
+  std::ifstream file("/proc/sys/vm/overcommit_memory");
+  return file.get() == '2';
+}
+
 }  // namespace
 
 void set_up_heap() {
-  if (address_space_is_limited()) return;
+  if (address_space_is_limited() || addresses_are_accounted()) return;
   mallopt(M_MMAP_MAX, 0);
   mallopt(M_TRIM_THRESHOLD, -1);
   const long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGESIZE);
