@@ -12,8 +12,7 @@
 namespace octet {
 namespace {
 
-/// Net tetrahedra a vertex in a block, with room: there are 6.8 a vertex in random sets, 5.7 in lattices.
-constexpr std::size_t kSlotsPerVertex = 8, kSpareSlots = 256;
+constexpr std::size_t kSpareSlots = 256;
 
 /// Dead slots at the end of the arrays, the lowest number taken first, after those that are there.
 void add_slots(Complex& complex, Inserter& inserter, std::size_t count) {

@@ -3,13 +3,15 @@
 #include "delaunay/spatial_order.h"
 
 #include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/parallel_sort.h>
 
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <iterator>
 #include <numeric>
+#include <utility>
 
+#include "base/bucket_sort.h"
 #include "base/vertex_order.h"
 
 namespace octet {
@@ -17,29 +19,70 @@ namespace {
 
 constexpr int kBits = 20;  // per axis: 60 bits of curve, 4 of round
 
-// Position on the Hilbert curve through a grid of 2^kBits per axis [Skilling 2004].
-std::uint64_t hilbert(std::array<std::uint32_t, 3> x) {
-  for (std::uint32_t q = 1u << (kBits - 1); q > 1; q >>= 1) {
-    const std::uint32_t low = q - 1;
-    for (auto& xi : x) {
-      if ((xi & q) != 0) {
-        x[0] ^= low;
-      } else {
-        const std::uint32_t t = (x[0] ^ xi) & low;
-        x[0] ^= t;
-        xi ^= t;
-      }
+/// How the Hilbert curve [Skilling 2004] runs through a cell: which axis is meant by each of three, in which
+/// direction, and whether it runs backwards.
+struct CurveState {
+  std::array<std::uint8_t, 3> axis{0, 1, 2};
+  std::array<bool, 3> turned{};
+  bool back = false;
+
+  constexpr bool operator==(const CurveState&) const = default;
+};
+
+/// Which of its eight parts the curve comes to when, and its state there.
+struct CurveStep {
+  std::uint8_t when, next;
+};
+
+/// A part is told by a bit per axis, the first the highest.
+constexpr std::pair<std::uint8_t, CurveState> curve_step(const CurveState& state, unsigned part) {
+  CurveState next = state;
+  std::array<bool, 3> bit{};
+  for (std::size_t i = 0; i < 3; ++i) bit[i] = (((part >> (2 - state.axis[i])) & 1u) != 0) != state.turned[i];
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (bit[i]) {
+      next.turned[0] = !next.turned[0];
+    } else {
+      std::swap(next.axis[0], next.axis[i]);
+      std::swap(next.turned[0], next.turned[i]);
     }
   }
-  x[1] ^= x[0];
-  x[2] ^= x[1];
-  std::uint32_t t = 0;
-  for (std::uint32_t q = 1u << (kBits - 1); q > 1; q >>= 1) {
-    if ((x[2] & q) != 0) t ^= q - 1;
+  const bool second = bit[1] != bit[0], third = bit[2] != second;  // Gray code
+  next.back = next.back != third;
+  const unsigned when = 4u * bit[0] + 2u * second + 1u * third;
+  return {static_cast<std::uint8_t>(state.back ? 7u - when : when), next};
+}
+
+constexpr std::size_t kCurveStates = 96;
+using CurveTable = std::array<std::array<CurveStep, 8>, kCurveStates>;
+
+/// The states that are met, numbered as they are.
+constexpr CurveTable make_curve_table() {
+  CurveTable table{};
+  std::array<CurveState, kCurveStates> states{};
+  std::size_t count = 1;
+  for (std::size_t n = 0; n < count; ++n) {
+    for (unsigned part = 0; part < 8; ++part) {
+      const auto [when, next] = curve_step(states[n], part);
+      std::size_t number = 0;
+      while (number < count && !(states[number] == next)) ++number;
+      if (number == count) states[count++] = next;
+      table[n][part] = {when, static_cast<std::uint8_t>(number)};
+    }
   }
+  return table;
+}
+
+/// Position on the Hilbert curve through a grid of 2^kBits per axis.
+std::uint64_t hilbert(const std::array<std::uint32_t, 3>& x) {
+  static constexpr CurveTable kTable = make_curve_table();
   std::uint64_t key = 0;
+  std::size_t state = 0;
   for (int bit = kBits - 1; bit >= 0; --bit) {
-    for (const std::uint32_t xi : x) key = 2 * key + (((xi ^ t) >> bit) & 1u);
+    const CurveStep& step =
+        kTable[state][((x[0] >> bit) & 1u) << 2 | ((x[1] >> bit) & 1u) << 1 | ((x[2] >> bit) & 1u)];
+    key = key << 3 | step.when;
+    state = step.next;
   }
   return key;
 }
@@ -84,9 +127,12 @@ std::vector<Item> curve_items(std::span<const Vec3> points, std::span<const std:
       cell[k] = static_cast<std::uint32_t>(std::max(0.0, (points[which[n]][k] - origin[k]) * scale));
     items[n] = {hilbert(cell), which[n]};
   });
-  tbb::parallel_sort(items.begin(), items.end(), [](const Item& a, const Item& b) {
-    return a.key != b.key ? a.key < b.key : a.index < b.index;
-  });
+  // About as many pieces of the curve as points.
+  const int levels = std::max(1, static_cast<int>(std::bit_width(which.size())) / 3);
+  bucket_sort(
+      items, std::size_t{1} << (3 * levels),
+      [&](const Item& item) { return item.key >> 3 * (kBits - levels); },
+      [](const Item& a, const Item& b) { return a.key != b.key ? a.key < b.key : a.index < b.index; });
   return items;
 }
 
@@ -100,6 +146,14 @@ std::vector<std::uint32_t> along_curve(std::span<const Vec3> points, std::span<c
   return order;
 }
 
+std::vector<std::uint32_t> SpatialOrder::along_curve_until(std::size_t last_round) const {
+  std::vector<std::uint32_t> found;
+  found.reserve(round_end[last_round]);
+  std::copy_if(curve.begin(), curve.end(), std::back_inserter(found),
+               [&](std::uint32_t i) { return round[i] <= last_round; });
+  return found;
+}
+
 SpatialOrder spatial_order(std::span<const Vec3> points, std::span<const std::uint64_t> ranks) {
   // Rounds below some hundred points gain nothing.
   const auto rounds =
@@ -110,15 +164,19 @@ SpatialOrder spatial_order(std::span<const Vec3> points, std::span<const std::ui
   };
   std::vector<std::uint32_t> all(points.size());
   std::iota(all.begin(), all.end(), 0u);
-  const std::vector<std::uint32_t> curve = along_curve(points, all, 0.0);
   SpatialOrder order;
+  order.curve = along_curve(points, all, 0.0);
+  order.round.resize(points.size());
   order.round_end.assign(rounds, 0);
-  for (const std::uint32_t i : curve) ++order.round_end[round(i)];
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    order.round[i] = static_cast<std::uint8_t>(round(i));
+    ++order.round_end[order.round[i]];
+  }
   std::partial_sum(order.round_end.begin(), order.round_end.end(), order.round_end.begin());
   std::vector<std::size_t> next(rounds, 0);
   std::copy(order.round_end.begin(), order.round_end.end() - 1, next.begin() + 1);
   order.points.resize(points.size());
-  for (const std::uint32_t i : curve) order.points[next[round(i)]++] = i;
+  for (const std::uint32_t i : order.curve) order.points[next[order.round[i]]++] = i;
   return order;
 }
 

@@ -16,6 +16,11 @@ namespace octet {
 struct SpatialOrder {
   std::vector<std::uint32_t> points;
   std::vector<std::size_t> round_end;  ///< per round: where it ends in `points`
+  std::vector<std::uint32_t> curve;    ///< all points along_curve() without a shift
+  std::vector<std::uint8_t> round;     ///< per point
+
+  /// The points of the rounds up to this one, along the curve.
+  [[nodiscard]] std::vector<std::uint32_t> along_curve_until(std::size_t last_round) const;
 };
 [[nodiscard]] SpatialOrder spatial_order(std::span<const Vec3> points, std::span<const std::uint64_t> ranks);
 

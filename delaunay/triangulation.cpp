@@ -85,7 +85,8 @@ void insert_round(Complex& complex, Inserter& inserter, const SpatialOrder& orde
   }
   std::vector<std::uint32_t> curve;
   for (const double shift : kShifts) {
-    curve = along_curve(complex.mesh.points.values(), so_far, shift);
+    curve = shift == 0.0 ? order.along_curve_until(round)
+                         : along_curve(complex.mesh.points.values(), so_far, shift);
     insert_in_blocks(complex, inserter, curve, pending);
   }
   insert_pending(complex, inserter, curve, pending);
@@ -123,7 +124,7 @@ void Triangulation::insert_all(std::span<const Vec3> points, std::span<const std
   }
   const std::array<std::uint32_t, 4> first = first_four(points, order.points);
   for (const std::uint32_t i : first) pending[i] = 0;
-  d.reserve_slots(7 * points.size());
+  d.reserve_slots(kSlotsPerVertex * points.size());
   make_first_tets(d, {VertexId(first[0]), VertexId(first[1]), VertexId(first[2]), VertexId(first[3])});
   d.inserter.last = TetId(0);
   for (std::size_t r = 0; r < order.round_end.size(); ++r) insert_round(d, d.inserter, order, r, pending);
