@@ -19,27 +19,6 @@ bool in_sphere(const Complex& complex, TetId t, const Vec3& point, std::uint64_t
   return insphere_ranked(a, b, c, d, point, ranks) > 0;
 }
 
-// Breadth-first search over conflicting tetrahedra. `first_visit(t)` is asked once per meeting and tells
-// whether t is met for the first time; `keep(t)` is called for each that conflicts, and ends the search when
-// it returns false.
-template <class FirstVisit, class Keep>
-bool search_conflicts(const Complex& complex, TetId seed, const Vec3& point, std::uint64_t rank,
-                      std::vector<TetId>& cavity, FirstVisit&& first_visit, Keep&& keep) {
-  cavity.clear();
-  first_visit(seed);
-  if (!keep(seed)) return false;
-  cavity.push_back(seed);
-  for (std::size_t k = 0; k < cavity.size(); ++k) {
-    const auto around = complex.mesh.neighbours[cavity[k]];
-    for (const TetId n : around) {
-      if (!first_visit(n) || !in_conflict(complex, n, point, rank)) continue;
-      if (!keep(n)) return false;
-      cavity.push_back(n);
-    }
-  }
-  return true;
-}
-
 // The face of `outer` that it shares with face `face` of `inner`, by its vertices: `outer` may be on the rim
 // of another inserter's block, which writes neighbours of its own there.
 int face_beyond(const Complex& complex, TetId outer, TetId inner, int face) {
@@ -62,65 +41,75 @@ bool in_conflict(const Complex& complex, TetId t, const Vec3& point, std::uint64
 
 bool mark_cavity(Complex& complex, Inserter& inserter, TetId seed, const Vec3& point, std::uint64_t rank) {
   const std::uint32_t tested = 2 * ++inserter.epoch, conflicting = tested + 1;
-  const Block& block = inserter.block;
-  return search_conflicts(
-      complex, seed, point, rank, inserter.cavity,
-      [&](TetId t) {
-        if (!block.holds(complex.mesh.tets[t])) return true;  // not ours to mark
-        if (complex.mark[t] >= tested) return false;
-        complex.mark[t] = tested;
-        return true;
-      },
-      [&](TetId t) {
-        if (!block.holds(complex.mesh.tets[t])) return false;
-        complex.mark[t] = conflicting;
-        return true;
-      });
+  const TetMesh& mesh = complex.mesh;
+  auto& cavity = inserter.cavity;
+  cavity.clear();
+  inserter.faces.clear();
+  if (!inserter.block.holds(mesh.tets[seed])) return false;
+  complex.mark[seed] = conflicting;
+  cavity.push_back(seed);
+  for (std::size_t k = 0; k < cavity.size(); ++k) {
+    const TetId t = cavity[k];
+    const auto around = mesh.neighbours[t];
+    for (std::int8_t f = 0; f < 4; ++f) {
+      const TetId n = around[f];
+      const bool ours = inserter.block.holds(mesh.tets[n]);  // to mark
+      if (ours && complex.mark[n] == conflicting) continue;
+      if (!(ours && complex.mark[n] == tested) && in_conflict(complex, n, point, rank)) {
+        if (!ours) return false;
+        complex.mark[n] = conflicting;
+        cavity.push_back(n);
+        continue;
+      }
+      if (ours) complex.mark[n] = tested;
+      inserter.faces.push_back({t, n, f});
+    }
+  }
+  return true;
 }
 
 void find_cavity(const Complex& complex, TetId seed, const Vec3& point, std::uint64_t rank,
                  std::vector<TetId>& cavity) {
   VisitSet met;
-  search_conflicts(
-      complex, seed, point, rank, cavity, [&](TetId t) { return met.insert(t); }, [](TetId) { return true; });
+  met.insert(seed);
+  cavity.assign(1, seed);
+  for (std::size_t k = 0; k < cavity.size(); ++k) {
+    const auto around = complex.mesh.neighbours[cavity[k]];
+    for (const TetId n : around)
+      if (met.insert(n) && in_conflict(complex, n, point, rank)) cavity.push_back(n);
+  }
 }
 
 void replace_cavity(Complex& complex, Inserter& inserter, VertexId v) {
   TetMesh& mesh = complex.mesh;
-  const std::uint32_t cavity_mark = 2 * inserter.epoch + 1;
-  auto& [block, free_slots, epoch, last, cavity, created, base, rim] = inserter;
+  auto& [block, free_slots, epoch, last, cavity, created, faces, rim] = inserter;
   created.clear();
-  base.clear();
-  rim.begin(3 * most_replacements(cavity));
+  rim.begin(3 * faces.size() / 2);
 
-  // Each boundary facet gets a tetrahedron: the inner one with its opposite vertex replaced by v, which keeps
-  // the orientation. Those on two sides of an edge find each other by it.
-  for (const TetId t : cavity) {
-    for (std::int8_t i = 0; i < 4; ++i) {
-      const TetId outer = mesh.neighbours[t][i];
-      if (complex.mark[outer] == cavity_mark) continue;
-      const TetId fresh = free_slots.back();
-      free_slots.pop_back();
-      auto vertices = mesh.tets[t];
-      vertices[i] = v;
-      mesh.tets[fresh] = vertices;
-      mesh.neighbours[fresh][i] = outer;
-      mesh.neighbours[outer][face_beyond(complex, outer, t, i)] = fresh;
-      const auto& f = kTetFace[i];
-      for (int k = 0; k < 3; ++k) rim.put(vertices[f[k]], vertices[f[(k + 1) % 3]], fresh);
-      created.push_back(fresh);
-      base.push_back(i);
-    }
-  }
-  for (std::size_t n = 0; n < created.size(); ++n) {
-    const TetId fresh = created[n];
-    const auto& vertices = mesh.tets[fresh];
-    const auto& f = kTetFace[base[n]];
-    for (int k = 0; k < 3; ++k)
-      mesh.neighbours[fresh][f[(k + 2) % 3]] = rim.at(vertices[f[(k + 1) % 3]], vertices[f[k]]);
+  // Each face around the cavity gets a tetrahedron: the inner one with its opposite vertex replaced by v,
+  // which keeps the orientation. Those on two sides of an edge find each other by it: until all are put in,
+  // its place in the table stands for the neighbour.
+  for (const auto& [inner, outer, i] : faces) {
+    const TetId fresh = free_slots.back();
+    free_slots.pop_back();
+    auto& vertices = mesh.tets[fresh];
+    vertices = mesh.tets[inner];
+    vertices[i] = v;
+    mesh.neighbours[outer][face_beyond(complex, outer, inner, i)] = fresh;
+    auto& around = mesh.neighbours[fresh];
+    around[i] = outer;
+    const auto& [p, q, r] = kTetFace[i];
+    around[p] = TetId(rim.put(vertices[q], vertices[r], fresh));
+    around[q] = TetId(rim.put(vertices[r], vertices[p], fresh));
+    around[r] = TetId(rim.put(vertices[p], vertices[q], fresh));
     for (const VertexId w : vertices) {
       if (w != kGhostVertex) complex.vertex_tet[w] = fresh;
     }
+    created.push_back(fresh);
+  }
+  for (std::size_t n = 0; n < created.size(); ++n) {
+    auto& around = mesh.neighbours[created[n]];
+    for (const int f : kTetFace[faces[n].face]) around[f] = rim.beyond(around[f].index(), created[n]);
   }
   for (const TetId t : cavity) {
     mesh.tets[t][0] = VertexId();

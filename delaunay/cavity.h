@@ -14,12 +14,12 @@ namespace octet {
 [[nodiscard]] bool in_conflict(const Complex& complex, TetId t, const Vec3& point, std::uint64_t rank);
 
 /// Puts all tetrahedra in conflict with the point into the inserter's cavity, from `seed`, which is; breadth
-/// first, and marks them for replace_cavity(). False when the cavity leaves the inserter's block.
+/// first, and lists the faces around them. False when the cavity leaves the inserter's block.
 /// [Bowyer 1981; Watson 1981]
 [[nodiscard]] bool mark_cavity(Complex& complex, Inserter& inserter, TetId seed, const Vec3& point,
                                std::uint64_t rank);
 
-/// The same tetrahedra in the same order, without marks; for queries.
+/// The same tetrahedra in the same order, without marks and faces; for queries.
 void find_cavity(const Complex& complex, TetId seed, const Vec3& point, std::uint64_t rank,
                  std::vector<TetId>& cavity);
 
@@ -28,7 +28,7 @@ void find_cavity(const Complex& complex, TetId seed, const Vec3& point, std::uin
   return 2 * cavity.size() + 2;
 }
 
-/// Replaces the marked cavity by the tetrahedra that join its boundary to v. Requires: the cavity is
+/// Replaces the cavity by the tetrahedra that join the faces around it to v. Requires: the cavity is
 /// star-shaped around v (a ranked conflict set always is); slots for most_replacements(). The inserter's
 /// `created` gets the new ones, ghosts included.
 void replace_cavity(Complex& complex, Inserter& inserter, VertexId v);

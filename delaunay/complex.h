@@ -61,6 +61,12 @@ struct Block {
   }
 };
 
+/// A face between a cavity and what is left.
+struct CavityFace {
+  TetId inner, outer;
+  std::int8_t face;  ///< of `inner`
+};
+
 /// What one thread of insertion has to itself. Several work on one complex at once when their blocks have no
 /// vertex in common: each reads and writes tetrahedra in its block, reads those that share a face with them,
 /// and of these writes the one neighbour that is its own.
@@ -70,7 +76,7 @@ struct Inserter {
   std::uint32_t epoch = 0;        ///< marks are twice that, plus one in the cavity
   TetId last;                     ///< the tetrahedron made last: where walks start by default
   std::vector<TetId> cavity, created;
-  std::vector<std::int8_t> base;  ///< per created tetrahedron: the face that is on the cavity's boundary
+  std::vector<CavityFace> faces;  ///< all around the cavity, in its order
   RimTable rim;
 };
 
