@@ -4,8 +4,10 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 
+#include "base/blocks.h"
 #include "classify/band.h"
 #include "classify/min_cut.h"
 #include "mesh/circumcentre.h"
@@ -38,19 +40,19 @@ std::size_t Band::repair(const TetMesh& mesh, std::span<const ModelRef> on, cons
 
 std::size_t Band::repair_beside(const TetMesh& mesh, std::span<const ModelRef> on, const EdgeChains& chains,
                                 std::span<const std::uint32_t> pieces) {
-  std::vector<TetId> around;
-  const std::vector<std::uint32_t> sorted_pieces(pieces.begin(), pieces.end());
-  for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
+  std::vector<std::uint8_t> wanted(chains.pieces().size(), 0), is_end(on.size(), 0);
+  for (const std::uint32_t n : pieces) wanted[n] = is_end[chains[n].a] = is_end[chains[n].b] = 1;
+  const auto around = collect<TetId>(mesh.tets.size(), [&](std::size_t i, std::vector<TetId>& found) {
     const TetId t(i);
-    if (!mesh.alive(t) || !movable(mesh, on, t)) continue;
-    for (const auto& e : kTetEdge) {
-      const std::uint32_t n = piece_of(mesh, on, chains, t, e);
-      if (n != UINT32_MAX && std::binary_search(sorted_pieces.begin(), sorted_pieces.end(), n)) {
-        around.push_back(t);
-        break;
-      }
-    }
-  }
+    if (!mesh.alive(t) || mesh.ghost(t)) return;
+    const auto& v = mesh.tets[t];
+    if (std::count_if(v.begin(), v.end(), [&](VertexId w) { return is_end[w.index()] != 0; }) < 2) return;
+    if (movable(mesh, on, t) && std::any_of(std::begin(kTetEdge), std::end(kTetEdge), [&](const auto& e) {
+          const std::uint32_t n = piece_of(mesh, on, chains, t, e);
+          return n != UINT32_MAX && wanted[n] != 0;
+        }))
+      found.push_back(t);
+  });
   std::vector<std::uint8_t> taken(mesh.tets.size(), 0);
   std::size_t moved = 0;
   for (const TetId t : around) {

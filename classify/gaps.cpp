@@ -3,15 +3,18 @@
 #include "classify/gaps.h"
 
 #include <fmt/format.h>
+#include <oneapi/tbb/parallel_sort.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
+#include <span>
+#include <tuple>
 
 #include "base/blocks.h"
-#include "base/bucket_sort.h"
 #include "classify/dual_crossings.h"
 #include "mesh/circumcentre.h"
 
@@ -26,22 +29,42 @@ struct EdgeUseOfFacet {
 
 bool same_edge(const EdgeUseOfFacet& x, const EdgeUseOfFacet& y) { return x.a == y.a && x.b == y.b; }
 
-/// Sorted by a, b, facet.
-std::vector<EdgeUseOfFacet> edge_uses(std::size_t vertices, const std::vector<BoundaryFacet>& facets) {
-  std::vector<EdgeUseOfFacet> uses;
-  uses.reserve(3 * facets.size());
-  for (std::uint32_t n = 0; n < facets.size(); ++n)
+/// Sorted by a, b, facet; without the edges at vertices that are `done`.
+std::vector<EdgeUseOfFacet> edge_uses(const std::vector<std::uint8_t>& done,
+                                      const std::vector<BoundaryFacet>& facets) {
+  auto uses = collect<EdgeUseOfFacet>(facets.size(), [&](std::size_t n, std::vector<EdgeUseOfFacet>& found) {
     for (int i = 0; i < 3; ++i) {
       const std::uint32_t a = facets[n].v[i].index(), b = facets[n].v[(i + 1) % 3].index();
-      uses.push_back({std::min(a, b), std::max(a, b), n});
+      if (!done[a] && !done[b])
+        found.push_back({std::min(a, b), std::max(a, b), static_cast<std::uint32_t>(n)});
     }
-  bucket_sort(
-      uses, vertices, [](const EdgeUseOfFacet& use) { return use.a; },
-      [](const EdgeUseOfFacet& x, const EdgeUseOfFacet& y) {
-        return x.b != y.b ? x.b < y.b : x.facet < y.facet;
-      });
+  });
+  tbb::parallel_sort(uses.begin(), uses.end(), [](const EdgeUseOfFacet& x, const EdgeUseOfFacet& y) {
+    return std::tie(x.a, x.b, x.facet) < std::tie(y.a, y.b, y.facet);
+  });
   return uses;
 }
+
+/// The facets at each vertex, ascending.
+class FacetsAtVertices {
+ public:
+  FacetsAtVertices(std::size_t vertices, const std::vector<BoundaryFacet>& facets)
+      : end_(vertices + 1, 0), facets_(3 * facets.size()) {
+    for (const BoundaryFacet& f : facets)
+      for (const VertexId v : f.v) ++end_[v.index() + 1];
+    std::partial_sum(end_.begin(), end_.end(), end_.begin());
+    for (std::uint32_t n = 0; n < facets.size(); ++n)
+      for (const VertexId v : facets[n].v) facets_[end_[v.index()]++] = n;
+  }
+  [[nodiscard]] std::span<const std::uint32_t> operator[](VertexId v) const {
+    const std::uint32_t begin = v.index() == 0 ? 0 : end_[v.index() - 1];
+    return std::span(facets_).subspan(begin, end_[v.index()] - begin);
+  }
+
+ private:
+  std::vector<std::uint32_t> end_;  ///< per vertex: where its facets end, and those of the next begin
+  std::vector<std::uint32_t> facets_;
+};
 
 class GapFinder {
  public:
@@ -54,8 +77,11 @@ class GapFinder {
     facets_ = &band_.facets(mesh_, on_);
     for (std::uint32_t n = 0; n < facets_->size(); ++n)
       if ((*facets_)[n].face == 0) add_facet(GapKind::kNoFace, n, ModelRef{});
-    edges();
-    vertices();
+    const FacetsAtVertices around(on_.size(), *facets_);
+    std::vector<std::uint8_t> plain(on_.size(), 0);
+    const std::vector<BrokenFan> broken = broken_fans(around, plain);
+    edges(plain);
+    vertices(around, broken);
     bare_faces();
     return std::move(gaps_);
   }
@@ -72,6 +98,8 @@ class GapFinder {
           const TetId t(i);
           if (!mesh_.alive(t) || mesh_.ghost(t)) return;
           const auto& v = mesh_.tets[t];
+          if (std::count_if(v.begin(), v.end(), [&](VertexId w) { return on_[w.index()].dim <= 1; }) < 2)
+            return;
           for (const auto& e : kTetEdge) {
             if (const std::uint32_t n = piece_at(v[e[0]], v[e[1]]); n != UINT32_MAX) pieces.push_back(n);
           }
@@ -117,27 +145,15 @@ class GapFinder {
     return faces;
   }
 
-  void edges() {
-    const std::vector<EdgeUseOfFacet> uses = edge_uses(on_.size(), *facets_);
+  /// Edges at plain vertices join two facets on one face and are no pieces: of the others more is asked.
+  void edges(const std::vector<std::uint8_t>& plain) {
+    const std::vector<EdgeUseOfFacet> uses = edge_uses(plain, *facets_);
     std::vector<std::uint8_t> seen(chains_.pieces().size(), 0);
     for (const Gap& missing : gaps_)
       if (missing.kind == GapKind::kMissingPiece) seen[missing.piece] = 1;
-    // Most edges join two facets on one face and are no pieces: of the others more is asked.
-    const auto is_plain = [&](std::size_t i) {
-      if (i + 1 == uses.size() || !same_edge(uses[i], uses[i + 1])) return false;
-      if (i + 2 < uses.size() && same_edge(uses[i], uses[i + 2])) return false;
-      const int face = (*facets_)[uses[i].facet].face;
-      return face != 0 && face == (*facets_)[uses[i + 1].facet].face &&
-             piece_at(VertexId(uses[i].a), VertexId(uses[i].b)) == UINT32_MAX;
-    };
-    const auto groups =
-        collect<std::size_t>(uses.size(), [&](std::size_t i, std::vector<std::size_t>& starts) {
-          if ((i == 0 || !same_edge(uses[i - 1], uses[i])) && !is_plain(i)) starts.push_back(i);
-        });
     std::vector<int> faces;
-    for (const std::size_t i : groups) {
+    for (std::size_t i = 0, j = 0; i < uses.size(); i = j) {
       faces.clear();
-      std::size_t j = i;
       for (; j < uses.size() && same_edge(uses[i], uses[j]); ++j)
         faces.push_back((*facets_)[uses[j].facet].face);
       std::sort(faces.begin(), faces.end());
@@ -165,41 +181,45 @@ class GapFinder {
       add_facet(GapKind::kEdgeFan, uses[k].facet, model_face((*facets_)[uses[k].facet].face));
   }
 
+  struct BrokenFan {
+    VertexId vertex;
+    std::uint32_t facet;  ///< the worst there
+  };
+  /// What count_loops() finds, and works in.
+  struct Fan {
+    int components = 0;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> spokes;
+    std::vector<int> open;
+    std::vector<std::uint32_t> parent;
+    std::vector<int> has_end;
+  };
+
   /// Facets around each vertex, joined over edges that are no pieces, must be one disk on a face and paths
   /// between pieces elsewhere; closed fans are right only where a face holds the vertex without an edge
-  /// (apex, pole).
-  void vertices() {
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> corners;  // vertex, facet
-    corners.reserve(3 * facets_->size());
-    for (std::uint32_t n = 0; n < facets_->size(); ++n)
-      for (const VertexId v : (*facets_)[n].v) corners.emplace_back(v.index(), n);
-    bucket_sort(
-        corners, on_.size(), [](const auto& corner) { return corner.first; },
-        [](const auto& x, const auto& y) { return x.second < y.second; });
-    std::vector<std::uint8_t> bare(on_.size(), 1);
-    for (const auto& corner : corners) bare[corner.first] = 0;
-    const auto broken = map_blocks<std::vector<BrokenFan>>(
-        corners.size(), kScanBlock, [&](std::size_t first, std::size_t last) {
+  /// (apex, pole). Marks the vertices that are plain.
+  [[nodiscard]] std::vector<BrokenFan> broken_fans(const FacetsAtVertices& around,
+                                                   std::vector<std::uint8_t>& plain) const {
+    return joined(
+        map_blocks<std::vector<BrokenFan>>(on_.size(), kScanBlock, [&](std::size_t first, std::size_t last) {
           std::vector<BrokenFan> found;
-          std::vector<std::uint32_t> around;
           Fan fan;
-          const auto begins = [&](std::size_t i) {
-            return i == 0 || corners[i - 1].first != corners[i].first;
-          };
           for (std::size_t i = first; i < last; ++i) {
-            if (!begins(i)) continue;
-            around.clear();
-            for (std::size_t j = i; j < corners.size() && corners[j].first == corners[i].first; ++j)
-              around.push_back(corners[j].second);
-            const VertexId v(corners[i].first);
-            if (!is_whole(v, around, fan)) found.push_back({v, worst_of(around)});
+            const VertexId v(i);
+            const std::span<const std::uint32_t> facets = around[v];
+            if (facets.empty()) continue;
+            if (is_ring(v, facets, fan))
+              plain[i] = are_on_one_face(facets);
+            else if (!is_whole(v, facets, fan))
+              found.push_back({v, worst_of(facets)});
           }
           return found;
-        });
-    for (const auto& list : broken)
-      for (const BrokenFan& fan : list) add_facet(GapKind::kVertexFan, fan.facet, on_[fan.vertex.index()]);
+        }));
+  }
+
+  void vertices(const FacetsAtVertices& around, const std::vector<BrokenFan>& broken) {
+    for (const BrokenFan& fan : broken) add_facet(GapKind::kVertexFan, fan.facet, on_[fan.vertex.index()]);
     for (std::uint32_t v = 0; v < on_.size(); ++v)
-      if (bare[v] && on_[v].dim == 2 && bounds_a_region(on_[v].tag)) {
+      if (on_[v].dim == 2 && around[VertexId(v)].empty() && bounds_a_region(on_[v].tag)) {
         Gap gap;
         gap.kind = GapKind::kBareVertex;
         gap.entity = on_[v];
@@ -207,6 +227,41 @@ class GapFinder {
         gap.vertex = VertexId(v);
         gaps_.push_back(gap);
       }
+  }
+
+  /// Whether the facets around a vertex within a face are one disk, each edge at the vertex being of two of
+  /// them that turn the same way: what nearly all are, and told sooner than the loops are counted.
+  [[nodiscard]] bool is_ring(VertexId v, std::span<const std::uint32_t> facets, Fan& fan) const {
+    if (on_[v.index()].dim != 2) return false;
+    auto& spokes = fan.spokes;  // from, to
+    spokes.clear();
+    for (const std::uint32_t n : facets) {
+      const auto& c = (*facets_)[n].v;
+      spokes.emplace_back(c[c[0] == v   ? 1
+                            : c[1] == v ? 2
+                                        : 0]
+                              .index(),
+                          c[c[0] == v   ? 2
+                            : c[1] == v ? 0
+                                        : 1]
+                              .index());
+    }
+    // Each facet is followed by the first that begins where it ends: if all are met, so is each edge once.
+    std::size_t met = 0, at = 0;
+    do {
+      std::size_t next = 0;
+      while (next < spokes.size() && spokes[next].first != spokes[at].second) ++next;
+      if (next == spokes.size()) return false;
+      at = next;
+      ++met;
+    } while (at != 0 && met <= spokes.size());
+    return met == spokes.size();
+  }
+
+  [[nodiscard]] bool are_on_one_face(std::span<const std::uint32_t> facets) const {
+    const std::int32_t face = (*facets_)[facets.front()].face;
+    return face != 0 && std::all_of(facets.begin(), facets.end(),
+                                    [&](std::uint32_t n) { return (*facets_)[n].face == face; });
   }
 
   /// Only a closed face without edges of its own can be missed as a whole: what has edges has their gaps.
@@ -230,21 +285,8 @@ class GapFinder {
     return model_.face(face).region[0] != model_.face(face).region[1];
   }
 
-  struct BrokenFan {
-    VertexId vertex;
-    std::uint32_t facet;  ///< the worst there
-  };
-  /// What count_loops() finds, and works in.
-  struct Fan {
-    int components = 0;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> spokes;
-    std::vector<int> open;
-    std::vector<std::uint32_t> parent;
-    std::vector<int> has_end;
-  };
-
   /// Whether the facets around a vertex are as they should be, or not so in a way that is reported elsewhere.
-  [[nodiscard]] bool is_whole(VertexId v, const std::vector<std::uint32_t>& around, Fan& fan) const {
+  [[nodiscard]] bool is_whole(VertexId v, std::span<const std::uint32_t> around, Fan& fan) const {
     const ModelRef on = on_[v.index()];
     if (on.dim > 2) return true;  // an octree vertex on the boundary: its facets are reported as kNoFace
     const int loops = count_loops(v, around, fan);
@@ -256,7 +298,7 @@ class GapFinder {
   }
 
   /// The first of the facets with the largest circumradius.
-  [[nodiscard]] std::uint32_t worst_of(const std::vector<std::uint32_t>& facets) const {
+  [[nodiscard]] std::uint32_t worst_of(std::span<const std::uint32_t> facets) const {
     return *std::max_element(facets.begin(), facets.end(), [&](std::uint32_t a, std::uint32_t b) {
       return facet_radius((*facets_)[a]) < facet_radius((*facets_)[b]);
     });
@@ -281,7 +323,7 @@ class GapFinder {
 
   /// Number of closed fans of facets around v (joined over non-piece edges); -1 when an edge joins other than
   /// two.
-  int count_loops(VertexId v, const std::vector<std::uint32_t>& around, Fan& fan) const {
+  int count_loops(VertexId v, std::span<const std::uint32_t> around, Fan& fan) const {
     // spokes: the far ends of the edges at v that are no pieces, with the facets that use them.
     auto& [components, spokes, open, parent, has_end] = fan;
     spokes.clear();
