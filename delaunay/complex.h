@@ -28,6 +28,12 @@ struct Complex {
     return rank.push_back(order);
   }
 
+  void reserve_vertices(std::size_t size) {
+    mesh.points.reserve(size);
+    rank.reserve(size);
+    vertex_tet.reserve(size);
+  }
+
   void reserve_slots(std::size_t size) {
     mesh.tets.reserve(size);
     mesh.neighbours.reserve(size);

@@ -114,7 +114,8 @@ void Triangulation::insert_all(std::span<const Vec3> points, std::span<const std
   Data& d = *data_;
   const std::size_t base = d.mesh.points.size();
   SpatialOrder order = spatial_order(points, ranks);
-  d.mesh.points.reserve(base + points.size());
+  constexpr std::size_t kLaterShare = 16;  // room for so many of all to come one by one
+  d.reserve_vertices(base + points.size() + points.size() / kLaterShare);
   for (std::size_t i = 0; i < points.size(); ++i) d.add_vertex(points[i], ranks[i]);
   std::vector<std::uint8_t> pending(base + points.size(), 1);
   if (base > 0) {
