@@ -6,8 +6,6 @@
 
 #include <cmath>
 
-#include "base/blocks.h"
-
 namespace octet {
 
 void measure_mesh(const Mesh& mesh, const Model& model, MeshReport& report) {
@@ -15,15 +13,7 @@ void measure_mesh(const Mesh& mesh, const Model& model, MeshReport& report) {
   report.nodes = mesh.points.size();
   report.tets = mesh.tets.size();
   report.triangles = mesh.triangles.size();
-  for (const double volume : map_blocks<double>(mesh.tets.size(), 16384, [&](auto first, auto last) {
-         double sum = 0.0;
-         for (std::size_t i = first; i < last; ++i) {
-           const auto& t = mesh.tets[i];
-           sum += signed_volume(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]], mesh.points[t[3]]);
-         }
-         return sum;
-       }))
-    report.volume += volume;
+  report.volume = report.quality.volume;
   std::vector<double> area_on(static_cast<std::size_t>(model.count(2)) + 1, 0.0);
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const auto& t = mesh.triangles[i];

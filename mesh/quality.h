@@ -28,6 +28,7 @@ struct QualitySummary {
   double p1_min_dihedral = 0.0;                   ///< 1st percentile of the elements' smallest dihedrals
   double min_mean_ratio = 0.0, mean_mean_ratio = 0.0;
   std::size_t worst_tet = 0;
+  double volume = 0.0;
 };
 [[nodiscard]] QualitySummary quality_summary(const Mesh& mesh);
 

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Vectors of lanes: the geometry of four at once.
+#pragma once
+
+#include <cstddef>
+
+#include "base/vec.h"
+#include "base/wide_clones.h"
+
+namespace octet {
+
+/// Four vectors, one a lane. The operations are those of Vec3 in the same order, so a lane has the bits that
+/// a Vec3 would have.
+struct LaneVec3 {
+  Lanes x, y, z;
+
+  OCTET_LANEWISE void set(std::size_t lane, const Vec3& p) {
+    x[lane] = p.x();
+    y[lane] = p.y();
+    z[lane] = p.z();
+  }
+};
+
+OCTET_LANEWISE LaneVec3 operator-(const LaneVec3& p, const LaneVec3& q) {
+  return {p.x - q.x, p.y - q.y, p.z - q.z};
+}
+OCTET_LANEWISE Lanes dot(const LaneVec3& p, const LaneVec3& q) { return p.x * q.x + p.y * q.y + p.z * q.z; }
+OCTET_LANEWISE LaneVec3 cross(const LaneVec3& p, const LaneVec3& q) {
+  return {p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x};
+}
+OCTET_LANEWISE double dot(const Vec3& p, const Vec3& q) { return p.dot(q); }
+OCTET_LANEWISE Vec3 cross(const Vec3& p, const Vec3& q) { return p.cross(q); }
+
+/// The same for a number and for lanes of numbers.
+template <class Real>
+OCTET_LANEWISE Real least(const Real& p, const Real& q) {
+  return p < q ? p : q;
+}
+template <class Real>
+OCTET_LANEWISE Real most(const Real& p, const Real& q) {
+  return p < q ? q : p;
+}
+template <class Real>
+OCTET_LANEWISE Real magnitude(const Real& p) {
+  return p < 0.0 ? -p : p;
+}
+
+}  // namespace octet
