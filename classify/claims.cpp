@@ -144,7 +144,7 @@ ClaimInput::ClaimInput(const Mesh& m, const Model& part)
       model(part),
       node_tolerance(kNodeShare * part.diagonal()),
       sweep(sweep_tets(m, part)),
-      uses(sweep.proves_pairs() ? FaceUses(m, sweep.on_surface) : FaceUses(m)),
+      uses(sweep.proves_pairs() ? FaceUses(m, sweep.on_surface, sweep.outer) : FaceUses(m)),
       pieces_on(by_tag(m.edge_on, part.count(1))),
       triangles_on(by_tag(m.triangle_on, part.count(2))),
       sides(sorted_sides(m)),

@@ -14,6 +14,14 @@ namespace octet {
 namespace {
 
 template <std::size_t N>
+bool repeats_vertex(const std::array<Mesh::Index, N>& v) {
+  bool repeats = false;
+  for (std::size_t i = 1; i < N; ++i)
+    for (std::size_t j = 0; j < i; ++j) repeats |= v[i] == v[j];
+  return repeats;
+}
+
+template <std::size_t N>
 void check_numbers(ClaimBuilder& claim, const Mesh& mesh, const char* kind, int dim, int tags,
                    const std::vector<std::array<Mesh::Index, N>>& elements,
                    const std::vector<std::int32_t>& on) {
@@ -25,10 +33,8 @@ void check_numbers(ClaimBuilder& claim, const Mesh& mesh, const char* kind, int 
     return std::all_of(v.begin(), v.end(), [&](auto k) { return k < mesh.points.size(); });
   };
   const auto bad = collect<std::size_t>(elements.size(), [&](std::size_t i, std::vector<std::size_t>& found) {
-    auto sorted = elements[i];
-    std::sort(sorted.begin(), sorted.end());
-    const bool distinct = std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
-    if (!is_in_range(elements[i]) || !distinct || on[i] < 1 || on[i] > tags) found.push_back(i);
+    if (!is_in_range(elements[i]) || repeats_vertex(elements[i]) || on[i] < 1 || on[i] > tags)
+      found.push_back(i);
   });
   for (const std::size_t i : bad) {
     const auto& v = elements[i];
@@ -70,7 +76,7 @@ class Pieces {
  public:
   explicit Pieces(const ClaimInput& in) : in_(in), by_vertices_(in.sweep.proves_pairs()) {
     if (by_vertices_) {
-      for (std::uint32_t t = 0; t < in.mesh.tets.size(); ++t)
+      for (const std::uint32_t t : in.sweep.outer)
         if (inner_vertex(t) == nullptr) alone_.push_back(t);
     }
     parent_.resize(by_vertices_ ? in.mesh.points.size() + alone_.size() : in.mesh.tets.size());
@@ -212,18 +218,19 @@ Claim claim_regions_connected(const ClaimInput& in) {
 Claim claim_orphan_nodes(const ClaimInput& in) {
   ClaimBuilder claim("orphan-nodes",
                      "Every vertex is used by an element, those on a model entity by one on that entity.");
-  // The least dimension of an element at the vertex that lies on the vertex's own entity, or none.
-  std::vector<char> used(in.mesh.points.size(), 0), on_own(in.mesh.points.size(), 0);
-  const auto mark = [&](int dim, const auto& elements, const auto& on) {
-    for (std::size_t i = 0; i < elements.size(); ++i)
-      for (const Mesh::Index v : elements[i]) {
-        used[v] = 1;
-        if (in.mesh.point_on[v] == ModelRef{dim, on[i]}) on_own[v] = 1;
-      }
+  // Whether an element has the vertex, and whether one on the vertex's own entity has.
+  std::vector<std::uint8_t> used = in.sweep.in_own, on_own = in.sweep.in_own;
+  const auto mark = [&](const auto& element, ModelRef on) {
+    for (const Mesh::Index v : element) {
+      used[v] = 1;
+      if (in.mesh.point_on[v] == on) on_own[v] = 1;
+    }
   };
-  mark(1, in.mesh.edges, in.mesh.edge_on);
-  mark(2, in.mesh.triangles, in.mesh.triangle_on);
-  mark(3, in.mesh.tets, in.mesh.tet_in);
+  const Mesh& mesh = in.mesh;
+  for (std::size_t i = 0; i < mesh.edges.size(); ++i) mark(mesh.edges[i], model_edge(mesh.edge_on[i]));
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    mark(mesh.triangles[i], model_face(mesh.triangle_on[i]));
+  for (const std::uint32_t i : in.sweep.outer) mark(mesh.tets[i], model_region(mesh.tet_in[i]));
   for (Mesh::Index v = 0; v < used.size(); ++v) {
     const ModelRef ref = in.mesh.point_on[v];
     // What lies on a seam or on a vertex needs no element of that entity.

@@ -35,17 +35,16 @@ const char* kind_of(int dim) {
   return kKind[dim];
 }
 
-void check_vertices_of(const ClaimInput& in, ClaimBuilder& claim, ClosureMemory& closure, int dim,
-                       const auto& elements, const std::vector<std::int32_t>& on) {
-  for (std::size_t i = 0; i < elements.size(); ++i)
-    for (const Mesh::Index v : elements[i]) {
-      const ModelRef whole{dim, on[i]};
-      if (closure.holds(in.mesh.point_on[v], whole)) continue;
-      claim.fault(dim, whole, in.point(v),
-                  fmt::format("{} {} has a vertex on {}, which is not in the entity's closure", kind_of(dim),
-                              i, in.model.describe(in.mesh.point_on[v])),
-                  kFiner);
-    }
+template <std::size_t N>
+void check_vertices_of(const ClaimInput& in, ClaimBuilder& claim, ClosureMemory& closure, std::size_t i,
+                       const std::array<Mesh::Index, N>& element, ModelRef whole) {
+  for (const Mesh::Index v : element) {
+    if (closure.holds(in.mesh.point_on[v], whole)) continue;
+    claim.fault(whole.dim, whole, in.point(v),
+                fmt::format("{} {} has a vertex on {}, which is not in the entity's closure",
+                            kind_of(whole.dim), i, in.model.describe(in.mesh.point_on[v])),
+                kFiner);
+  }
 }
 
 /// A side of a triangle that is a mesh edge: its model edge lies in the closure of the triangle's face.
@@ -85,9 +84,14 @@ Neighbours neighbours_of(const ClaimInput& in, const std::array<Mesh::Index, 3>&
 Claim claim_closure(const ClaimInput& in) {
   ClaimBuilder claim("closure", "The boundary of what lies on an entity lies in that entity's closure.");
   ClosureMemory closure(in.model);
-  check_vertices_of(in, claim, closure, 1, in.mesh.edges, in.mesh.edge_on);
-  check_vertices_of(in, claim, closure, 2, in.mesh.triangles, in.mesh.triangle_on);
-  check_vertices_of(in, claim, closure, 3, in.mesh.tets, in.mesh.tet_in);
+  const Mesh& mesh = in.mesh;
+  for (std::size_t i = 0; i < mesh.edges.size(); ++i)
+    check_vertices_of(in, claim, closure, i, mesh.edges[i], model_edge(mesh.edge_on[i]));
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    check_vertices_of(in, claim, closure, i, mesh.triangles[i], model_face(mesh.triangle_on[i]));
+  // All others lie inside of their region.
+  for (const std::uint32_t i : in.sweep.outer)
+    check_vertices_of(in, claim, closure, i, mesh.tets[i], model_region(mesh.tet_in[i]));
   check_sides(in, claim, closure);
   return claim.counted();
 }

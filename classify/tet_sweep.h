@@ -15,6 +15,10 @@ struct TetSweep {
   std::vector<std::uint32_t> not_positive;  ///< ascending; by the exact sign
   std::vector<double> filled;               ///< volume of the tetrahedra, per region tag
   std::vector<std::uint8_t> on_surface;     ///< per vertex: whether it is a corner of a triangle
+  std::vector<std::uint8_t> in_own;         ///< per vertex in a region: whether a tetrahedron of that has it
+  /// Tetrahedra with a vertex on a triangle, or not inside their own region; ascending. The other ones are
+  /// nearly all, and have nothing to do with the boundary.
+  std::vector<std::uint32_t> outer;
   /// Whether the boundary of each region's tetrahedra, as a chain of oriented faces, is the sum of the
   /// triangles on the region's faces, each with the side that its face turns to the region.
   bool closes = false;

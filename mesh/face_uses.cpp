@@ -23,6 +23,19 @@ bool before(const FaceUse& a, const FaceUse& b) {
   return a.tet < b.tet;
 }
 
+auto all_tets(const Mesh& mesh) {
+  return [&mesh](const auto& visit) {
+    for (std::size_t t = 0; t < mesh.tets.size(); ++t) visit(t);
+  };
+}
+
+auto all_flagged(std::span<const std::uint8_t> flagged) {
+  return [flagged](const std::array<Mesh::Index, 4>& t, int f) {
+    return flagged[t[kOutwardFace[f][0]]] != 0 && flagged[t[kOutwardFace[f][1]]] != 0 &&
+           flagged[t[kOutwardFace[f][2]]] != 0;
+  };
+}
+
 }  // namespace
 
 SortedFace sorted_face(const std::array<Mesh::Index, 3>& face) {
@@ -38,14 +51,15 @@ SortedFace sorted_face(const std::array<Mesh::Index, 3>& face) {
   return s;
 }
 
-template <class Wanted>
-void FaceUses::fill(const Mesh& mesh, const Wanted& wanted) {
+template <class ForEachTet, class Wanted>
+void FaceUses::fill(const Mesh& mesh, const ForEachTet& for_each_tet, const Wanted& wanted) {
   // first_[v + 2] counts, then first_[v + 1] is the writing position of v, and ends as the start of v + 1.
   first_.assign(mesh.points.size() + 2, 0);
   const auto for_each = [&](const auto& take) {
-    for (std::size_t t = 0; t < mesh.tets.size(); ++t)
+    for_each_tet([&](std::size_t t) {
       for (int f = 0; f < 4; ++f)
         if (wanted(mesh.tets[t], f)) take(face_use(mesh, t, f));
+    });
   };
   for_each([&](const FaceUse& use) { ++first_[use.v[0] + 2]; });
   for (std::size_t v = 2; v < first_.size(); ++v) first_[v] += first_[v - 1];
@@ -56,14 +70,17 @@ void FaceUses::fill(const Mesh& mesh, const Wanted& wanted) {
 }
 
 FaceUses::FaceUses(const Mesh& mesh) {
-  fill(mesh, [](const auto&, int) { return true; });
+  fill(mesh, all_tets(mesh), [](const auto&, int) { return true; });
 }
 
 FaceUses::FaceUses(const Mesh& mesh, std::span<const std::uint8_t> flagged) {
-  fill(mesh, [&](const std::array<Mesh::Index, 4>& t, int f) {
-    return flagged[t[kOutwardFace[f][0]]] != 0 && flagged[t[kOutwardFace[f][1]]] != 0 &&
-           flagged[t[kOutwardFace[f][2]]] != 0;
-  });
+  fill(mesh, all_tets(mesh), all_flagged(flagged));
+}
+
+FaceUses::FaceUses(const Mesh& mesh, std::span<const std::uint8_t> flagged,
+                   std::span<const Mesh::Index> tets) {
+  const auto these = [&](const auto& visit) { std::for_each(tets.begin(), tets.end(), visit); };
+  fill(mesh, these, all_flagged(flagged));
 }
 
 std::span<const FaceUse> FaceUses::find(const std::array<Mesh::Index, 3>& face) const {

@@ -17,13 +17,15 @@ struct FaceUse {
   bool even = false;  ///< v, by the right-hand rule, points out of the (positive) tetrahedron
 };
 
-/// Faces of all tetrahedra, sorted by (v, tet); O(tets), 24 bytes a face. Requires indices in range.
+/// Faces of tetrahedra, sorted by (v, tet); O(tets), 24 bytes a face. Requires indices in range.
 class FaceUses {
  public:
   /// All faces.
   explicit FaceUses(const Mesh& mesh);
   /// Faces whose three vertices are all flagged.
   FaceUses(const Mesh& mesh, std::span<const std::uint8_t> flagged);
+  /// Of these tetrahedra (ascending) alone.
+  FaceUses(const Mesh& mesh, std::span<const std::uint8_t> flagged, std::span<const Mesh::Index> tets);
   [[nodiscard]] const std::vector<FaceUse>& all() const { return uses_; }
   /// The uses of the face with these vertices, in any order.
   [[nodiscard]] std::span<const FaceUse> find(const std::array<Mesh::Index, 3>& face) const;
@@ -31,8 +33,9 @@ class FaceUses {
   [[nodiscard]] std::span<const FaceUse> group(std::size_t i) const;
 
  private:
-  template <class Wanted>
-  void fill(const Mesh& mesh, const Wanted& wanted);
+  /// `for_each_tet(visit)` visits the same tetrahedra in the same order each time.
+  template <class ForEachTet, class Wanted>
+  void fill(const Mesh& mesh, const ForEachTet& for_each_tet, const Wanted& wanted);
 
   std::vector<FaceUse> uses_;
   std::vector<Mesh::Index> first_;  ///< per vertex: where the faces whose least vertex it is begin
