@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <tuple>
 
 #include "base/blocks.h"
@@ -78,6 +79,15 @@ TriangleFoot foot_of_triangle(const ClaimInput& in, std::uint32_t t) {
   return result;
 }
 
+std::vector<std::array<Mesh::Index, 3>> sorted_keys(const Mesh& mesh) {
+  std::vector<std::array<Mesh::Index, 3>> keys;
+  keys.reserve(mesh.triangles.size());
+  for (const auto& t : mesh.triangles) keys.push_back(sorted_face(t).v);
+  bucket_sort(
+      keys, mesh.points.size(), [](const auto& key) { return key[0]; }, std::less<>());
+  return keys;
+}
+
 std::vector<TriangleSide> sorted_sides(const Mesh& mesh) {
   std::vector<TriangleSide> sides;
   sides.reserve(3 * mesh.triangles.size());
@@ -147,6 +157,7 @@ ClaimInput::ClaimInput(const Mesh& m, const Model& part)
       uses(sweep.proves_pairs() ? FaceUses(m, sweep.on_surface, sweep.outer) : FaceUses(m)),
       pieces_on(by_tag(m.edge_on, part.count(1))),
       triangles_on(by_tag(m.triangle_on, part.count(2))),
+      triangle_keys(sorted_keys(m)),
       sides(sorted_sides(m)),
       pieces(sorted_pieces(m)),
       surface(surface_tree(m, part)),

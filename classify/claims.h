@@ -69,13 +69,14 @@ struct ClaimInput {
   double node_tolerance = 0.0;  ///< the least distance asked of a node, see there
   TetSweep sweep;
   FaceUses uses;  ///< all faces; where sweep.proves_pairs(), only those that may be anything but pairs
-  std::vector<std::vector<std::uint32_t>> pieces_on;     ///< per model edge tag: mesh edges
-  std::vector<std::vector<std::uint32_t>> triangles_on;  ///< per model face tag: mesh triangles
-  std::vector<TriangleSide> sides;                       ///< sorted by (v, face)
-  std::vector<EdgePieceRef> pieces;                      ///< sorted by v
-  FacetBvh surface;                                      ///< the mesh's triangles, grown by the tolerance
-  NodeFeet node_foot;                                    ///< per mesh vertex
-  std::vector<TriangleFoot> triangle_foot;               ///< per mesh triangle
+  std::vector<std::vector<std::uint32_t>> pieces_on;      ///< per model edge tag: mesh edges
+  std::vector<std::vector<std::uint32_t>> triangles_on;   ///< per model face tag: mesh triangles
+  std::vector<std::array<Mesh::Index, 3>> triangle_keys;  ///< each triangle's vertices ascending; sorted
+  std::vector<TriangleSide> sides;                        ///< sorted by (v, face)
+  std::vector<EdgePieceRef> pieces;                       ///< sorted by v
+  FacetBvh surface;                                       ///< the mesh's triangles, grown by the tolerance
+  NodeFeet node_foot;                                     ///< per mesh vertex
+  std::vector<TriangleFoot> triangle_foot;                ///< per mesh triangle
 
   [[nodiscard]] const Vec3& point(Mesh::Index v) const { return mesh.points[v]; }
   [[nodiscard]] Vec3 centroid(const std::array<Mesh::Index, 3>& t) const {

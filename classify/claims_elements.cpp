@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
 #include <utility>
 
 #include "base/blocks.h"
+#include "base/bucket_sort.h"
 #include "base/predicates.h"
 #include "classify/claims.h"
 
@@ -45,19 +47,10 @@ void check_numbers(ClaimBuilder& claim, const Mesh& mesh, const char* kind, int 
   }
 }
 
-using FaceKey = std::array<Mesh::Index, 3>;
-std::vector<FaceKey> sorted_triangles(const Mesh& mesh) {
-  std::vector<FaceKey> keys;
-  keys.reserve(mesh.triangles.size());
-  for (const auto& t : mesh.triangles) keys.push_back(sorted_face(t).v);
-  std::sort(keys.begin(), keys.end());
-  return keys;
-}
-
 /// Faces of tetrahedra that should be triangles and are none.
 template <class Asked>
 void report_unclassified(const ClaimInput& in, ClaimBuilder& claim, const char* cause, const Asked& asked) {
-  const auto triangles = sorted_triangles(in.mesh);
+  const auto& triangles = in.triangle_keys;
   for (std::size_t i = 0; i < in.uses.all().size();) {
     const auto group = in.uses.group(i);
     i += group.size();
@@ -131,6 +124,20 @@ class Pieces {
   std::vector<std::uint8_t> met_;
 };
 
+/// Sorts by place, then by vertex: the places of a mesh's vertices fill their range.
+void sort_along(std::vector<std::pair<double, Mesh::Index>>& places) {
+  if (places.empty()) return;
+  const auto [first, last] = std::minmax_element(places.begin(), places.end());
+  const double start = first->first, width = last->first - start;
+  const double share = width > 0.0 ? static_cast<double>(places.size() - 1) / width : 0.0;
+  bucket_sort(
+      places, places.size(),
+      [&](const auto& place) {
+        return std::min(places.size() - 1, static_cast<std::size_t>((place.first - start) * share));
+      },
+      std::less<>());
+}
+
 }  // namespace
 
 Claim claim_numbers(const Mesh& mesh, const Model& model) {
@@ -183,7 +190,7 @@ Claim claim_boundary_classified(const ClaimInput& in) {
                      "Every face with one tetrahedron lies on a model face; no triangle is given twice.");
   report_unclassified(in, claim, "a face with one tetrahedron lies on no model face",
                       [](const auto& group) { return group.size() == 1; });
-  const auto triangles = sorted_triangles(in.mesh);
+  const auto& triangles = in.triangle_keys;
   for (std::size_t i = 1; i < triangles.size(); ++i)
     if (triangles[i] == triangles[i - 1])
       claim.fault(1.0, {2, 0}, in.centroid(triangles[i]), "a triangle is given twice", kBadMesh);
@@ -254,7 +261,7 @@ Claim claim_duplicate_nodes(const ClaimInput& in) {
   std::vector<std::pair<double, Mesh::Index>> along;
   along.reserve(in.mesh.points.size());
   for (Mesh::Index v = 0; v < in.mesh.points.size(); ++v) along.emplace_back(direction.dot(in.point(v)), v);
-  std::sort(along.begin(), along.end());
+  sort_along(along);
   for (std::size_t i = 0; i < along.size(); ++i)
     for (std::size_t j = i + 1; j < along.size() && along[j].first <= along[i].first + tolerance; ++j) {
       const Mesh::Index a = along[i].second, b = along[j].second;

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <numeric>
 #include <span>
 
+#include "base/bucket_sort.h"
 #include "classify/claims.h"
 
 namespace octet {
@@ -154,7 +156,8 @@ void check_fans(const ClaimInput& in, ClaimBuilder& claim) {
   for (std::uint32_t t = 0; t < in.mesh.triangles.size(); ++t)
     for (const Mesh::Index v : in.mesh.triangles[t])
       if (in.mesh.point_on[v].dim == 2) corners.emplace_back(v, t);
-  std::sort(corners.begin(), corners.end());
+  bucket_sort(
+      corners, in.mesh.points.size(), [](const auto& corner) { return corner.first; }, std::less<>());
   std::vector<std::uint32_t> around;
   for (std::size_t i = 0; i < corners.size();) {
     const Mesh::Index v = corners[i].first;

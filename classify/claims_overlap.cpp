@@ -17,10 +17,9 @@ namespace {
 /// Sides a task.
 constexpr std::size_t kBlock = 1024;
 
-template <std::size_t N>
-Box3 box_of(const ClaimInput& in, const std::array<Mesh::Index, N>& vertices) {
+Box3 box_of(const ClaimInput& in, const std::array<Mesh::Index, 2>& side) {
   Box3 box;
-  for (const Mesh::Index v : vertices) box.add(in.point(v));
+  for (const Mesh::Index v : side) box.add(in.point(v));
   return box;
 }
 
@@ -84,26 +83,32 @@ Claim claim_no_overlap(const ClaimInput& in) {
     std::uint32_t triangle;
     auto operator<=>(const Meeting&) const = default;
   };
+  struct Near {
+    FloatBox box;
+    std::array<Mesh::Index, 3> vertices;
+    std::uint32_t triangle;
+  };
   const auto meetings = [&](std::size_t first, std::size_t last) {
     std::vector<Meeting> met;
-    std::vector<std::pair<std::uint32_t, Box3>> near;
+    std::vector<Near> near;
     for (std::size_t i = first, end = first; i < last; i = end) {
       // One search for all sides that run up from a vertex.
       Box3 box;
       for (; end < last && in.sides[end].v[0] == in.sides[i].v[0]; ++end)
         box.add(box_of(in, in.sides[end].v));
       near.clear();
-      in.surface.any_in_box(box, [&](std::uint32_t triangle) {
-        near.emplace_back(triangle, box_of(in, in.mesh.triangles[triangle]));
+      in.surface.any_item_in_box(box, [&](std::uint32_t item) {
+        const std::uint32_t triangle = in.surface.triangle(item);
+        near.push_back({in.surface.box_of(item), in.mesh.triangles[triangle], triangle});
         return false;
       });
       for (std::size_t n = i; n < end; ++n) {
         const auto& side = in.sides[n].v;
         if (n > 0 && in.sides[n - 1].v == side) continue;
-        const Box3 own = box_of(in, side);
-        for (const auto& [triangle, its] : near)
-          if (own.overlaps(its) && side_meets(in, side, in.mesh.triangles[triangle]))
-            met.push_back({n, triangle});
+        const FloatBox own = FloatBox::around(box_of(in, side));
+        for (const Near& other : near)
+          if (!other.box.apart(own) && side_meets(in, side, other.vertices))
+            met.push_back({n, other.triangle});
       }
     }
     std::sort(met.begin(), met.end());

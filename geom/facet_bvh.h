@@ -67,7 +67,12 @@ class FacetBvh {
   /// Whether accept(triangle) for one of the triangles whose grown box and grown plane meet the box; none is
   /// asked after that.
   template <class Accept>
-  bool any_in_box(const Box3& box, const Accept& accept) const;
+  bool any_in_box(const Box3& box, const Accept& accept) const {
+    return any_item_in_box(box, [&](std::uint32_t item) { return accept(triangle(item)); });
+  }
+  /// The same for the triangles' places in the tree's order.
+  template <class Accept>
+  bool any_item_in_box(const Box3& box, const Accept& accept) const;
   /// Appends the triangles that may hold the boundary's nearest point to p, which is no farther than
   /// `max_distance`: each triangle's distance, less its growth, is at most the least distance plus growth.
   void near(const Vec3& p, double max_distance, int face, std::vector<FacetFoot>& feet) const;
@@ -88,6 +93,8 @@ class FacetBvh {
   /// Triangles in the tree's order, so that neighbours are near in memory, too.
   [[nodiscard]] std::uint32_t items() const { return static_cast<std::uint32_t>(items_.size()); }
   [[nodiscard]] std::uint32_t triangle(std::uint32_t item) const { return items_[item].triangle; }
+  /// Around the triangle, grown.
+  [[nodiscard]] const FloatBox& box_of(std::uint32_t item) const { return items_[item]; }
   [[nodiscard]] bool item_meets(std::uint32_t item, const Box3& box) const {
     return meets(items_[item], box);
   }
@@ -170,7 +177,7 @@ void FacetBvh::visit_segment(const Vec3& p, const Vec3& q, const Visit& visit, i
 }
 
 template <class Accept>
-bool FacetBvh::any_in_box(const Box3& box, const Accept& accept) const {
+bool FacetBvh::any_item_in_box(const Box3& box, const Accept& accept) const {
   if (root_ < 0) return false;
   const FloatBox outer = FloatBox::around(box);
   Stack stack;
@@ -183,7 +190,8 @@ bool FacetBvh::any_in_box(const Box3& box, const Accept& accept) const {
       continue;
     }
     for (std::int32_t i = node.first; i < node.first - node.second; ++i)
-      if (!items_[i].apart(outer) && meets(items_[i], box) && accept(items_[i].triangle)) return true;
+      if (!items_[i].apart(outer) && meets(items_[i], box) && accept(static_cast<std::uint32_t>(i)))
+        return true;
   }
   return false;
 }
