@@ -237,14 +237,8 @@ class GapFinder {
     spokes.clear();
     for (const std::uint32_t n : facets) {
       const auto& c = (*facets_)[n].v;
-      spokes.emplace_back(c[c[0] == v   ? 1
-                            : c[1] == v ? 2
-                                        : 0]
-                              .index(),
-                          c[c[0] == v   ? 2
-                            : c[1] == v ? 0
-                                        : 1]
-                              .index());
+      const std::size_t own = c[0] == v ? 0 : c[1] == v ? 1 : 2;
+      spokes.emplace_back(c[(own + 1) % 3].index(), c[(own + 2) % 3].index());
     }
     // Each facet is followed by the first that begins where it ends: if all are met, so is each edge once.
     std::size_t met = 0, at = 0;
