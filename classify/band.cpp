@@ -4,6 +4,7 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +17,7 @@ namespace octet {
 namespace {
 
 constexpr std::int32_t kUnknown = -1;
+constexpr std::uint8_t kAllFaces = 0b1111;
 /// A facet may turn away from its face by at most 60 degrees ...
 constexpr double kNormal = 0.5;
 /// ... and its centroid may be at most this share of its longest edge away from it: the sagitta of an
@@ -98,13 +100,11 @@ const std::vector<int>& Band::faces_of(ModelRef on) const {
 void Band::update(const TetMesh& mesh, std::span<const ModelRef> on, std::span<const TetId> created) {
   facets_are_current_ = false;
   region_.resize(mesh.tets.size(), kUnknown);
-  facet_on_.resize(mesh.tets.size(), {kUnknown, kUnknown, kUnknown, kUnknown});
   std::vector<std::uint8_t> is_flat(created.size(), 0);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, created.size(), 256), [&](const auto& range) {
     for (std::size_t i = range.begin(); i != range.end(); ++i) {
       const TetId t = created[i];
       if (!mesh.alive(t)) continue;
-      facet_on_[t] = {kUnknown, kUnknown, kUnknown, kUnknown};
       if (mesh.ghost(t)) {
         region_[t] = 0;
         continue;
@@ -155,12 +155,11 @@ bool Band::share_a_face(ModelRef a, ModelRef b) const {
 
 void Band::forget_facets(const TetMesh& mesh, TetId t) {
   facets_are_current_ = false;
-  facet_on_[t] = {kUnknown, kUnknown, kUnknown, kUnknown};
-  stale_.push_back(t);
+  stale_.push_back({t, kAllFaces});
   for (const TetId n : mesh.neighbours[t]) {
-    stale_.push_back(n);
-    for (int g = 0; g < 4; ++g)
-      if (mesh.neighbours[n][g] == t) facet_on_[n][g] = kUnknown;
+    unsigned shared = 0;
+    for (int g = 0; g < 4; ++g) shared |= unsigned{mesh.neighbours[n][g] == t} << g;
+    stale_.push_back({n, static_cast<std::uint8_t>(shared)});
   }
 }
 
@@ -244,40 +243,53 @@ void Band::label_flat(const TetMesh& mesh, const std::vector<TetId>& flat) {
     if (region_[t] == kUnknown) region_[t] = 0;
 }
 
-void Band::list_facets(const TetMesh& mesh, TetId t, std::vector<BoundaryFacet>& found) const {
+/// Those of the faces that are facets.
+void Band::list_facets(const TetMesh& mesh, TetId t, std::uint8_t faces,
+                       std::vector<BoundaryFacet>& found) const {
   if (!mesh.alive(t) || region_[t] == 0) return;
   for (std::int8_t f = 0; f < 4; ++f) {
+    if ((faces >> f & 1) == 0) continue;
     const TetId n = mesh.neighbours[t][f];
     if (region_[n] >= region_[t]) continue;
     const auto& v = mesh.tets[t];
-    found.push_back({t, f, facet_on_[t][f], {v[kTetFace[f][0]], v[kTetFace[f][1]], v[kTetFace[f][2]]}});
+    found.push_back({t, f, kUnknown, {v[kTetFace[f][0]], v[kTetFace[f][1]], v[kTetFace[f][2]]}});
   }
 }
 
-/// The facets of all other tetrahedra are what they were, but of such as are gone.
+/// All other facets are what they were, but those of tetrahedra that are gone.
 void Band::list_stale_facets(const TetMesh& mesh) {
-  std::sort(stale_.begin(), stale_.end());
-  stale_.erase(std::unique(stale_.begin(), stale_.end()), stale_.end());
+  tbb::parallel_sort(stale_.begin(), stale_.end(),
+                     [](const Stale& a, const Stale& b) { return a.tet < b.tet; });
+  std::size_t count = 0;
+  for (const Stale& s : stale_) {
+    if (count > 0 && stale_[count - 1].tet == s.tet)
+      stale_[count - 1].faces |= s.faces;
+    else
+      stale_[count++] = s;
+  }
+  stale_.resize(count);
   std::vector<BoundaryFacet> kept, found;
-  for (const TetId t : stale_) list_facets(mesh, t, found);
+  for (const Stale& s : stale_) list_facets(mesh, s.tet, s.faces, found);
   auto stale = stale_.begin();
   for (const BoundaryFacet& facet : facets_) {
-    while (stale != stale_.end() && *stale < facet.tet) ++stale;
-    const bool is_stale = stale != stale_.end() && *stale == facet.tet;
+    while (stale != stale_.end() && stale->tet < facet.tet) ++stale;
+    const bool is_stale =
+        stale != stale_.end() && stale->tet == facet.tet && (stale->faces >> facet.local & 1) != 0;
     if (!is_stale && mesh.alive(facet.tet)) kept.push_back(facet);
   }
   facets_.clear();
   std::merge(kept.begin(), kept.end(), found.begin(), found.end(), std::back_inserter(facets_),
-             [](const BoundaryFacet& a, const BoundaryFacet& b) { return a.tet < b.tet; });
+             [](const BoundaryFacet& a, const BoundaryFacet& b) {
+               return a.tet != b.tet ? a.tet < b.tet : a.local < b.local;
+             });
 }
 
 const std::vector<BoundaryFacet>& Band::facets(const TetMesh& mesh, std::span<const ModelRef> on) {
-  constexpr std::size_t kManyStale = 16;  // of so many tetrahedra one: all are gone through
   if (facets_are_current_) return facets_;
   facets_are_current_ = true;
-  if (facets_.empty() || stale_.size() > mesh.tets.size() / kManyStale) {
+  if (facets_.empty()) {
     facets_ = collect<BoundaryFacet>(mesh.tets.size(), [&](std::size_t i, std::vector<BoundaryFacet>& found) {
-      list_facets(mesh, TetId(i), found);
+      list_facets(mesh, TetId(i), kAllFaces, found);
     });
   } else {
     list_stale_facets(mesh);
@@ -291,7 +303,6 @@ const std::vector<BoundaryFacet>& Band::facets(const TetMesh& mesh, std::span<co
                                     region_[mesh.neighbours[facet.tet][facet.local]]);
     }
   });
-  for (const BoundaryFacet& facet : facets_) facet_on_[facet.tet][facet.local] = facet.face;
   return facets_;
 }
 

@@ -109,7 +109,7 @@ class Band {
   [[nodiscard]] int misfits(const TetMesh& mesh, std::span<const ModelRef> on, TetId t, int region) const;
   void move(const TetMesh& mesh, TetId t, int region);
   void forget_facets(const TetMesh& mesh, TetId t);
-  void list_facets(const TetMesh& mesh, TetId t, std::vector<BoundaryFacet>& found) const;
+  void list_facets(const TetMesh& mesh, TetId t, std::uint8_t faces, std::vector<BoundaryFacet>& found) const;
   void list_stale_facets(const TetMesh& mesh);
   void label_flat(const TetMesh& mesh, const std::vector<TetId>& flat);
   [[nodiscard]] int classify_facet(const TetMesh& mesh, std::span<const ModelRef> on,
@@ -124,11 +124,15 @@ class Band {
   const Model* model_;
   RegionOf region_of_;
   IdVector<TetId, std::int32_t> region_;
-  IdVector<TetId, std::array<std::int32_t, 4>> facet_on_;  ///< -1 not yet asked
-  std::unordered_map<std::uint32_t, Voice> voice_;         ///< per tetrahedron of a group, until it is gone
+  std::unordered_map<std::uint32_t, Voice> voice_;  ///< per tetrahedron of a group, until it is gone
   std::vector<BoundaryFacet> facets_;
   bool facets_are_current_ = false;
-  std::vector<TetId> stale_;  ///< since facets_ were listed: those that changed, and their neighbours
+  /// Faces of a tetrahedron, a bit each, that are no longer what they were when facets_ were listed.
+  struct Stale {
+    TetId tet;
+    std::uint8_t faces;
+  };
+  std::vector<Stale> stale_;
   std::vector<std::vector<int>> vertex_faces_;  ///< per model vertex tag: faces whose closure holds it
   std::vector<std::vector<int>> face_itself_;   ///< per face tag: {tag}
 };
