@@ -6,7 +6,20 @@
 #include <cstdlib>  // tells whether the library is glibc
 #include <fstream>
 
-#ifdef __GLIBC__
+// Sanitizers have a heap of their own, in which a large block costs memory.
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#define OCTET_SETS_UP_HEAP 1
+#else
+#define OCTET_SETS_UP_HEAP 0
+#endif
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#undef OCTET_SETS_UP_HEAP
+#define OCTET_SETS_UP_HEAP 0
+#endif
+#endif
+
+#if OCTET_SETS_UP_HEAP
 #include <malloc.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
@@ -15,7 +28,7 @@
 
 namespace octet {
 
-#ifdef __GLIBC__
+#if OCTET_SETS_UP_HEAP
 namespace {
 
 constexpr std::size_t kLargePage = std::size_t{2} << 20;
