@@ -12,21 +12,27 @@ namespace octet {
 /// Four vectors, one a lane. The operations are those of Vec3 in the same order, so a lane has the bits that
 /// a Vec3 would have.
 struct LaneVec3 {
-  Lanes x, y, z;
+  Lanes row[3];
+  [[nodiscard]] Lanes& operator[](std::size_t i) { return row[i]; }
+  [[nodiscard]] const Lanes& operator[](std::size_t i) const { return row[i]; }
 
   OCTET_LANEWISE void set(std::size_t lane, const Vec3& p) {
-    x[lane] = p.x();
-    y[lane] = p.y();
-    z[lane] = p.z();
+    for (int i = 0; i < 3; ++i) row[i][lane] = p[i];
   }
 };
 
 OCTET_LANEWISE LaneVec3 operator-(const LaneVec3& p, const LaneVec3& q) {
-  return {p.x - q.x, p.y - q.y, p.z - q.z};
+  return {{p[0] - q[0], p[1] - q[1], p[2] - q[2]}};
 }
-OCTET_LANEWISE Lanes dot(const LaneVec3& p, const LaneVec3& q) { return p.x * q.x + p.y * q.y + p.z * q.z; }
+/// From four points to one.
+OCTET_LANEWISE LaneVec3 operator-(const Vec3& p, const LaneVec3& q) {
+  return {{p.x() - q[0], p.y() - q[1], p.z() - q[2]}};
+}
+OCTET_LANEWISE Lanes dot(const LaneVec3& p, const LaneVec3& q) {
+  return p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
+}
 OCTET_LANEWISE LaneVec3 cross(const LaneVec3& p, const LaneVec3& q) {
-  return {p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x};
+  return {{p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]}};
 }
 OCTET_LANEWISE double dot(const Vec3& p, const Vec3& q) { return p.dot(q); }
 OCTET_LANEWISE Vec3 cross(const Vec3& p, const Vec3& q) { return p.cross(q); }

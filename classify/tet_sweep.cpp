@@ -77,9 +77,9 @@ OCTET_WIDE_CLONES void measure(const Mesh& mesh, const std::array<Mesh::Index, 4
     for (std::size_t k = 0; k < 4; ++k) p[k].set(lane, mesh.points[(*tets[lane])[k]]);
   const LaneVec3 b = p[1] - p[0], c = p[2] - p[0], d = p[3] - p[0];
   const Lanes determinant = dot(cross(b, c), d);
-  const Lanes x = most(most(magnitude(b.x), magnitude(c.x)), magnitude(d.x)),
-              y = most(most(magnitude(b.y), magnitude(c.y)), magnitude(d.y)),
-              z = most(most(magnitude(b.z), magnitude(c.z)), magnitude(d.z));
+  const Lanes x = most(most(magnitude(b[0]), magnitude(c[0])), magnitude(d[0])),
+              y = most(most(magnitude(b[1]), magnitude(c[1])), magnitude(d[1])),
+              z = most(most(magnitude(b[2]), magnitude(c[2])), magnitude(d[2]));
   const Lanes clear = kClear * (x * y * z),
               in_range = least(least(x, y), z) > kSmallest ? clear : determinant,
               bound = most(most(x, y), z) < kLargest ? in_range : determinant;

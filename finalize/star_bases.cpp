@@ -10,27 +10,13 @@
 namespace octet {
 namespace {
 
-using LaneVec = StarBases::LaneVec;
 using Block = StarBases::Block;
 
-OCTET_LANEWISE LaneVec minus(const Vec3& p, const LaneVec& q) {
-  return {{p.x() - q[0], p.y() - q[1], p.z() - q[2]}};
-}
-OCTET_LANEWISE LaneVec minus(const LaneVec& p, const LaneVec& q) {
-  return {{p[0] - q[0], p[1] - q[1], p[2] - q[2]}};
-}
-OCTET_LANEWISE Lanes dot(const LaneVec& p, const LaneVec& q) {
-  return p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
-}
-OCTET_LANEWISE LaneVec cross(const LaneVec& p, const LaneVec& q) {
-  return {{p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]}};
-}
 /// Squared length of the cross product.
-OCTET_LANEWISE Lanes cross_squared(const LaneVec& p, const LaneVec& q) {
-  const LaneVec c = cross(p, q);
+OCTET_LANEWISE Lanes cross_squared(const LaneVec3& p, const LaneVec3& q) {
+  const LaneVec3 c = cross(p, q);
   return dot(c, c);
 }
-OCTET_LANEWISE Lanes least(const Lanes& p, const Lanes& q) { return p < q ? p : q; }
 OCTET_LANEWISE Lanes root(const Lanes& p) {
   return Lanes{std::sqrt(p[0]), std::sqrt(p[1]), std::sqrt(p[2]), std::sqrt(p[3])};
 }
@@ -45,9 +31,9 @@ OCTET_LANEWISE double sum_of(const Lanes& p) { return (p[0] + p[1]) + (p[2] + p[
 namespace star_lanes {
 
 OCTET_WIDE_CLONES void close(Block& b) {
-  b.xy = minus(b.y, b.x);
-  b.xz = minus(b.z, b.x);
-  b.yz = minus(b.z, b.y);
+  b.xy = b.y - b.x;
+  b.xz = b.z - b.x;
+  b.yz = b.z - b.y;
   b.normal = cross(b.xy, b.xz);
   b.lxy = dot(b.xy, b.xy);
   b.lxz = dot(b.xz, b.xz);
@@ -63,7 +49,7 @@ OCTET_WIDE_CLONES void measure(std::span<const Block> blocks, const Vec3& place,
   constexpr double kRatio = kRatioWeight * 432.0;
   Lanes total{};
   for (const Block& b : blocks) {
-    const LaneVec px = minus(place, b.x), py = minus(place, b.y), pz = minus(place, b.z);
+    const LaneVec3 px = place - b.x, py = place - b.y, pz = place - b.z;
     const Lanes lpx = dot(px, px), lpy = dot(py, py), lpz = dot(pz, pz), volume = dot(b.normal, px);
     const Lanes nx = cross_squared(b.yz, py), ny = cross_squared(b.xz, px), nz = cross_squared(b.xy, px);
     const Lanes xy = nx * ny, pz_faces = nz * b.normal2;
@@ -82,18 +68,18 @@ OCTET_WIDE_CLONES void measure(std::span<const Block> blocks, const Vec3& place,
 }
 
 OCTET_WIDE_CLONES bool differentiate(std::span<const Block> blocks, const Vec3& place, Distortion& sum) {
-  LaneVec gradient{};
+  LaneVec3 gradient{};
   Lanes hessian[6] = {};
   Lanes total{};
   for (const Block& b : blocks) {
-    const LaneVec px = minus(place, b.x), py = minus(place, b.y), pz = minus(place, b.z);
+    const LaneVec3 px = place - b.x, py = place - b.y, pz = place - b.z;
     const Lanes volume = dot(b.normal, px);
     if (!(least_lane(volume) > 0.0)) return false;
     const Lanes squares = b.lxy + b.lxz + b.lyz + dot(px, px) + dot(py, py) + dot(pz, pz);
     const Lanes value = b.weight * (squares * root(squares) / volume);
     // As in add_distortion: with s the squares and v the volume, the logarithm's slope is 1.5 s'/s - v'/v.
     const Lanes over_squares = 1.0 / squares, over_volume = 1.0 / volume;
-    LaneVec s, v, slope;
+    LaneVec3 s, v, slope;
     for (std::size_t k = 0; k < 3; ++k) {
       s[k] = (2.0 * over_squares) * (px[k] + py[k] + pz[k]);
       v[k] = b.normal[k] * over_volume;
@@ -120,7 +106,7 @@ OCTET_WIDE_CLONES bool differentiate(std::span<const Block> blocks, const Vec3& 
 OCTET_WIDE_CLONES double squared_lengths(std::span<const Block> blocks, const Vec3& place) {
   Lanes total{};
   for (const Block& b : blocks) {
-    const LaneVec px = minus(place, b.x), py = minus(place, b.y), pz = minus(place, b.z);
+    const LaneVec3 px = place - b.x, py = place - b.y, pz = place - b.z;
     total += b.weight * (dot(px, px) + dot(py, py) + dot(pz, pz));
   }
   return sum_of(total);
@@ -140,7 +126,7 @@ void StarBases::close() {
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
       b.weight[lane] = lane < used ? 1.0 : 0.0;
       if (lane < used) continue;
-      for (LaneVec* corner : {&b.x, &b.y, &b.z}) {
+      for (LaneVec3* corner : {&b.x, &b.y, &b.z}) {
         for (Lanes& row : corner->row) row[lane] = row[0];
       }
     }
@@ -151,7 +137,7 @@ void StarBases::close() {
 std::array<Vec3, 3> StarBases::operator[](std::size_t i) const {
   const Block& block = blocks_[i / kLanes];
   const std::size_t lane = i % kLanes;
-  const auto of = [&](const LaneVec& v) -> Vec3 { return {v[0][lane], v[1][lane], v[2][lane]}; };
+  const auto of = [&](const LaneVec3& v) -> Vec3 { return {v[0][lane], v[1][lane], v[2][lane]}; };
   return {of(block.x), of(block.y), of(block.z)};
 }
 

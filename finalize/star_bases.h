@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "base/wide_clones.h"
+#include "base/lane_vec.h"
 #include "finalize/mean_shape.h"
 
 namespace octet {
@@ -33,11 +33,9 @@ class StarBases {
   void set(std::size_t number, const Vec3& x, const Vec3& y, const Vec3& z) {
     const std::size_t lane = number % kLanes;
     Block& block = blocks_[number / kLanes];
-    for (int i = 0; i < 3; ++i) {
-      block.x[i][lane] = x[i];
-      block.y[i][lane] = y[i];
-      block.z[i][lane] = z[i];
-    }
+    block.x.set(lane, x);
+    block.y.set(lane, y);
+    block.z.set(lane, z);
   }
   void close();
   [[nodiscard]] std::size_t size() const { return count_; }
@@ -55,14 +53,9 @@ class StarBases {
   /// Root of the mean squared distance between the place and the corners of the bases.
   [[nodiscard]] double mean_length(const Vec3& place) const;
 
-  struct LaneVec {
-    Lanes row[3];
-    [[nodiscard]] Lanes& operator[](std::size_t i) { return row[i]; }
-    [[nodiscard]] const Lanes& operator[](std::size_t i) const { return row[i]; }
-  };
   /// Four bases; what is left over repeats the first, with no weight in sums.
   struct Block {
-    LaneVec x, y, z, xy, xz, yz, normal;  ///< normal: xy cross xz
+    LaneVec3 x, y, z, xy, xz, yz, normal;  ///< normal: xy cross xz
     Lanes lxy, lxz, lyz, normal2;         ///< squared lengths
     Lanes weight;
   };
