@@ -24,6 +24,11 @@ double width_of(const TopoDS_Face& face) {
   return 2.0 * area_of(face) / perimeter.Mass();
 }
 
+/// Faces inside of a solid bound nothing.
+bool bounds(const TopoDS_Face& face) {
+  return face.Orientation() == TopAbs_FORWARD || face.Orientation() == TopAbs_REVERSED;
+}
+
 }  // namespace
 
 std::vector<FacePiece> face_pieces(const TopoDS_Shape& solid, const BRepTools_History& history) {
@@ -31,8 +36,7 @@ std::vector<FacePiece> face_pieces(const TopoDS_Shape& solid, const BRepTools_Hi
   TopTools_IndexedMapOfShape known;
   for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next()) {
     const TopoDS_Face face = TopoDS::Face(it.Current());
-    const bool bounds = face.Orientation() == TopAbs_FORWARD || face.Orientation() == TopAbs_REVERSED;
-    if (!bounds || history.IsRemoved(face)) continue;
+    if (!bounds(face) || history.IsRemoved(face)) continue;
     TopTools_ListOfShape now = history.Modified(face);
     if (now.IsEmpty()) now.Append(face);
     for (const TopoDS_Shape& piece : now) {
@@ -44,6 +48,14 @@ std::vector<FacePiece> face_pieces(const TopoDS_Shape& solid, const BRepTools_Hi
     }
   }
   return pieces;
+}
+
+TopoDS_Face removed_face(const TopoDS_Shape& solid, const BRepTools_History& history, double width) {
+  for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next()) {
+    const TopoDS_Face face = TopoDS::Face(it.Current());
+    if (bounds(face) && history.IsRemoved(face) && width_of(face) > width) return face;
+  }
+  return {};
 }
 
 TopoDS_Face lost_piece(const std::vector<FacePiece>& pieces, const std::vector<TopoDS_Shape>& images) {

@@ -56,6 +56,7 @@ class Healer {
       volume_.reset();
       curves_.add_to(set_.solids[i]);
       curves_.renew(set_.solids[i]);
+      curves_.fit(set_.solids[i]);
       curves_.add_pole_edges(set_.solids[i]);
       turn_faces(set_.solids[i]);
       restore_poles(set_.solids[i]);

@@ -7,18 +7,14 @@
 #include <BRep_Tool.hxx>
 #include <GCPnts_AbscissaPoint.hxx>
 #include <Geom2d_Curve.hxx>
-#include <Geom_Curve.hxx>
 #include <Geom_Surface.hxx>
 #include <Precision.hxx>
 #include <ShapeFix_Edge.hxx>
-#include <ShapeFix_ShapeTolerance.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
-#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Iterator.hxx>
-#include <TopoDS_Vertex.hxx>
 #include <TopoDS_Wire.hxx>
 #include <algorithm>
 #include <array>
@@ -27,30 +23,14 @@
 #include <limits>
 #include <utility>
 
+#include "geom/occt/curve_gaps.h"
 #include "geom/occt/shape_box.h"
 
 namespace octet {
 namespace {
 
-constexpr int kSamples = 8;
 constexpr double kMisplaced = 0.1;  // of the edge's length
 constexpr double kBetter = 0.1;     // of the gap
-
-/// Largest distance at equal parameter; 0 where there is nothing to compare.
-double gap_of(const TopoDS_Edge& edge, const TopoDS_Face& face) {
-  double t0 = 0.0, t1 = 0.0, s0 = 0.0, s1 = 0.0;
-  const auto curve = BRep_Tool::Curve(edge, t0, t1);
-  const auto on_face = BRep_Tool::CurveOnSurface(edge, face, s0, s1);
-  if (curve.IsNull() || on_face.IsNull()) return 0.0;
-  const auto surface = BRep_Tool::Surface(face);
-  double gap = 0.0;
-  for (int i = 0; i <= kSamples; ++i) {
-    const double share = static_cast<double>(i) / kSamples;
-    const gp_Pnt2d uv = on_face->Value(s0 + share * (s1 - s0));
-    gap = std::max(gap, surface->Value(uv.X(), uv.Y()).Distance(curve->Value(t0 + share * (t1 - t0))));
-  }
-  return gap;
-}
 
 bool misplaced(const TopoDS_Edge& edge, double gap) {
   if (gap <= Precision::Confusion()) return false;
@@ -67,7 +47,7 @@ bool renew(const TopoDS_Edge& edge, const TopoDS_Face& face, double gap) {
   ShapeFix_Edge fix;
   fix.FixAddPCurve(edge, face, false, Precision::Confusion());
   double t0 = 0.0, t1 = 0.0;
-  if (!BRep_Tool::CurveOnSurface(edge, face, t0, t1).IsNull() && gap_of(edge, face) < kBetter * gap)
+  if (!BRep_Tool::CurveOnSurface(edge, face, t0, t1).IsNull() && gap_on_face(edge, face) < kBetter * gap)
     return true;
   builder.UpdateEdge(edge, old, face, Precision::Confusion());
   builder.Range(edge, face, s0, s1);
@@ -186,40 +166,6 @@ class PeriodsJoined {
   std::array<double, 2> period_{};
 };
 
-/// What an edge's curves and a vertex's edges need, in place of what covered the gap.
-void lower_tolerances(const TopoDS_Shape& solid, const std::vector<CurveRenewed>& renewed) {
-  TopTools_IndexedDataMapOfShapeListOfShape faces, edges;
-  TopExp::MapShapesAndAncestors(solid, TopAbs_EDGE, TopAbs_FACE, faces);
-  TopExp::MapShapesAndAncestors(solid, TopAbs_VERTEX, TopAbs_EDGE, edges);
-  const ShapeFix_ShapeTolerance tolerance;
-  TopTools_MapOfShape vertices;
-  for (const CurveRenewed& one : renewed) {
-    double needed = Precision::Confusion();
-    for (const TopoDS_Shape& face : faces.FindFromKey(one.edge))
-      needed = std::max(needed, 1.01 * gap_of(one.edge, TopoDS::Face(face.Oriented(TopAbs_FORWARD))));
-    tolerance.SetTolerance(one.edge, needed, TopAbs_EDGE);
-    for (const TopoDS_Vertex& v : {TopExp::FirstVertex(one.edge), TopExp::LastVertex(one.edge)})
-      vertices.Add(v);
-  }
-  for (TopTools_MapOfShape::Iterator it(vertices); it.More(); it.Next()) {
-    const TopoDS_Shape& vertex = it.Value();
-    const gp_Pnt at = BRep_Tool::Pnt(TopoDS::Vertex(vertex));
-    double needed = Precision::Confusion();
-    for (const TopoDS_Shape& shape : edges.FindFromKey(vertex)) {
-      const TopoDS_Edge& edge = TopoDS::Edge(shape);
-      needed = std::max(needed, BRep_Tool::Tolerance(edge));
-      double t0 = 0.0, t1 = 0.0;
-      const auto curve = BRep_Tool::Curve(edge, t0, t1);
-      if (curve.IsNull()) continue;
-      if (TopExp::FirstVertex(edge).IsSame(vertex))
-        needed = std::max(needed, 1.01 * at.Distance(curve->Value(t0)));
-      if (TopExp::LastVertex(edge).IsSame(vertex))
-        needed = std::max(needed, 1.01 * at.Distance(curve->Value(t1)));
-    }
-    tolerance.SetTolerance(vertex, needed, TopAbs_VERTEX);
-  }
-}
-
 }  // namespace
 
 CurvesRenewed renew_misplaced_curves(const TopoDS_Shape& solid) {
@@ -231,7 +177,7 @@ CurvesRenewed renew_misplaced_curves(const TopoDS_Shape& solid) {
     for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
       const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
       if (BRep_Tool::Degenerated(edge) || BRep_Tool::IsClosed(edge, face)) continue;
-      const double gap = gap_of(edge, face);
+      const double gap = gap_on_face(edge, face);
       if (misplaced(edge, gap) && renew(edge, face, gap)) result.curves.push_back({edge, face, gap});
     }
     bool joined = false;
@@ -242,7 +188,9 @@ CurvesRenewed renew_misplaced_curves(const TopoDS_Shape& solid) {
       joined = periods.join(TopoDS::Wire(it.Current())) || joined;
     if (joined) result.joined.push_back(face);
   }
-  if (!result.curves.empty()) lower_tolerances(solid, result.curves);
+  std::vector<TopoDS_Edge> edges;
+  for (const CurveRenewed& one : result.curves) edges.push_back(one.edge);
+  if (!edges.empty()) lower_tolerances(solid, edges);
   return result;
 }
 

@@ -18,7 +18,13 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Wire.hxx>
 
+#include <algorithm>
+#include <vector>
+
+#include "geom/occt/loose_curves.h"
 #include "geom/occt/misplaced_curves.h"
+#include "geom/occt/shape_box.h"
+#include "geom/tiny_features.h"
 
 namespace octet {
 
@@ -45,6 +51,7 @@ void MissingCurves::add_on_face(const TopoDS_Edge& edge, const TopoDS_Face& face
   if (!BRep_Tool::CurveOnSurface(edge, face, first, last).IsNull()) return;
   ShapeFix_Edge fix;
   if (!fix.FixAddPCurve(edge, face, false, Precision::Confusion())) return;
+  fit_curve(edge, face);
   if (on_face_++ == 0)
     first_on_face_ = names_.numbered("Edge", 1, edge) + " on " + names_.numbered("Face", 2, face);
 }
@@ -64,6 +71,16 @@ void MissingCurves::renew(const TopoDS_Shape& solid) {
         "{} face(s) of {} had curves of their edges whole turns apart, which were joined, the "
         "first is {}",
         renewed.joined.size(), names_.solid(solid), names_.numbered("Face", 2, renewed.joined.front())));
+}
+
+void MissingCurves::fit(const TopoDS_Shape& solid) {
+  const double apart = std::max(Precision::Confusion(), kRoundingShare * diagonal_of(vertex_box_of(solid)));
+  for (const CurveRenewed& one : fit_loose_curves(solid, apart)) {
+    ++fitted_;
+    if (one.gap <= farthest_) continue;
+    farthest_ = one.gap;
+    farthest_fitted_ = names_.numbered("Edge", 1, one.edge) + " on " + names_.numbered("Face", 2, one.face);
+  }
 }
 
 void MissingCurves::add_pole_edges(TopoDS_Shape& solid) {
@@ -91,6 +108,11 @@ void MissingCurves::add_pole_edges(TopoDS_Shape& solid) {
 }
 
 void MissingCurves::tell() const {
+  if (fitted_ > 0)
+    set_.notes.push_back(
+        fmt::format("{} curve(s) on faces ran beside their edges, which lie on those faces, and were fitted "
+                    "anew, the farthest is {} ({:.3g} mm)",
+                    fitted_, farthest_fitted_, farthest_));
   if (in_space_ > 0)
     set_.notes.push_back(
         fmt::format("{} edge(s) had no curve in space and got that of their face, the first is {}", in_space_,

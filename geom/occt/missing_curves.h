@@ -22,6 +22,8 @@ class MissingCurves {
   void add_to(const TopoDS_Shape& solid);
   /// Curves on faces that are of another place than their edges are made anew: geom/occt/misplaced_curves.
   void renew(const TopoDS_Shape& solid);
+  /// Curves on faces that run beside their edges are fitted anew: geom/occt/loose_curves.
+  void fit(const TopoDS_Shape& solid);
   /// Where a loop runs through a pole of its surface without an edge there, its ends are apart in (u,v).
   void add_pole_edges(TopoDS_Shape& solid);
   /// A note for each kind that was added, with the count and the first.
@@ -33,8 +35,9 @@ class MissingCurves {
 
   const EntityNames& names_;
   SolidSet& set_;
-  int in_space_ = 0, on_face_ = 0, at_pole_ = 0;
-  std::string first_in_space_, first_on_face_, first_at_pole_;
+  int in_space_ = 0, on_face_ = 0, at_pole_ = 0, fitted_ = 0;
+  double farthest_ = 0.0;  ///< mm
+  std::string first_in_space_, first_on_face_, first_at_pole_, farthest_fitted_;
 };
 
 }  // namespace octet

@@ -3,8 +3,12 @@
 #pragma once
 
 #include <BRepBndLib.hxx>
+#include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
 #include <TopoDS_Shape.hxx>
+#include <TopoDS_Vertex.hxx>
 #include <cmath>
 
 #include "base/vec.h"
@@ -22,6 +26,14 @@ inline Bnd_Box box_of(const TopoDS_Shape& shape) {
 inline Bnd_Box bare_box_of(const TopoDS_Shape& shape) {
   Bnd_Box box;
   BRepBndLib::AddOptimal(shape, box, false, false);
+  return box;
+}
+
+/// Of the vertices alone: no larger than the shape, and cheap.
+inline Bnd_Box vertex_box_of(const TopoDS_Shape& shape) {
+  Bnd_Box box;
+  for (TopExp_Explorer it(shape, TopAbs_VERTEX); it.More(); it.Next())
+    box.Add(BRep_Tool::Pnt(TopoDS::Vertex(it.Current())));
   return box;
 }
 

@@ -6,7 +6,11 @@
 
 #include <BOPAlgo_Builder.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepTools_History.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopTools_ListOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Face.hxx>
 
 #include <vector>
 
@@ -41,6 +45,16 @@ TEST(FacePieces, APieceThatNoImageHasIsLost) {
   EXPECT_TRUE(lost_piece(fused.pieces(), fused.images).IsNull());
   fused.images.pop_back();
   EXPECT_FALSE(lost_piece(fused.pieces(), fused.images).IsNull());
+}
+
+TEST(FacePieces, AFaceThatIsRemovedWithoutAPieceIsLostUnlessItIsNarrow) {
+  Fused fused(0.25);
+  EXPECT_TRUE(removed_face(fused.box, *fused.fuse.History(), 0.01).IsNull());
+  const TopoDS_Face face = TopoDS::Face(TopExp_Explorer(fused.box, TopAbs_FACE).Current());
+  const Handle(BRepTools_History) history = new BRepTools_History;
+  history->Remove(face);
+  EXPECT_TRUE(removed_face(fused.box, *history, 0.01).IsSame(face));
+  EXPECT_TRUE(removed_face(fused.box, *history, 0.6).IsNull()) << "a square of side 1 is half of that wide";
 }
 
 TEST(FacePieces, SliversAreNarrowPiecesOfWideFaces) {
