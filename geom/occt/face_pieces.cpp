@@ -2,8 +2,6 @@
 // The fuse's history, face by face.
 #include "geom/occt/face_pieces.h"
 
-#include <BRepGProp.hxx>
-#include <GProp_GProps.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -17,12 +15,6 @@
 
 namespace octet {
 namespace {
-
-double width_of(const TopoDS_Face& face) {
-  GProp_GProps perimeter;
-  BRepGProp::LinearProperties(face, perimeter);
-  return 2.0 * area_of(face) / perimeter.Mass();
-}
 
 /// Faces inside of a solid bound nothing.
 bool bounds(const TopoDS_Face& face) {

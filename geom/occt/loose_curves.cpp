@@ -23,6 +23,7 @@
 
 #include "geom/occt/canonical.h"
 #include "geom/occt/curve_gaps.h"
+#include "geom/occt/shape_measures.h"
 
 namespace octet {
 namespace {
@@ -190,6 +191,26 @@ bool fit_within(double near, const TopoDS_Edge& edge, const TopoDS_Face& face, d
   return true;
 }
 
+/// The edges whose curves on the face are off by more than `apart`.
+std::vector<CurveRenewed> loose_curves(const TopoDS_Face& face, double apart) {
+  std::vector<CurveRenewed> loose;
+  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
+    const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
+    if (!can_be_fitted(edge, face)) continue;
+    if (const double gap = gap_on_face(edge, face); gap > apart) loose.push_back({edge, face, gap});
+  }
+  return loose;
+}
+
+/// Whether the face is no wider than what its curves are off: whatever its surface is, it is an edge to the
+/// faces beside it, and the tolerance of its sides says so.
+bool is_strip(const TopoDS_Face& face, const std::vector<CurveRenewed>& loose) {
+  constexpr double kOfWidth = 0.25;
+  double widest = 0.0;
+  for (const CurveRenewed& one : loose) widest = std::max(widest, one.gap);
+  return widest > kOfWidth * width_of(face);
+}
+
 }  // namespace
 
 bool fit_curve(const TopoDS_Edge& edge, const TopoDS_Face& face) {
@@ -205,12 +226,10 @@ std::vector<CurveRenewed> fit_loose_curves(const TopoDS_Shape& solid, double apa
   for (TopExp_Explorer faces(solid, TopAbs_FACE); faces.More(); faces.Next()) {
     const TopoDS_Face face = TopoDS::Face(faces.Current().Oriented(TopAbs_FORWARD));
     if (!seen.Add(face)) continue;
-    for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
-      const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
-      if (!can_be_fitted(edge, face)) continue;
-      const double gap = gap_on_face(edge, face);
-      if (gap > apart && fit_within(apart, edge, face, gap)) fitted.push_back({edge, face, gap});
-    }
+    const std::vector<CurveRenewed> loose = loose_curves(face, apart);
+    if (loose.empty() || is_strip(face, loose)) continue;
+    for (const CurveRenewed& one : loose)
+      if (fit_within(apart, one.edge, face, one.gap)) fitted.push_back(one);
   }
   std::vector<TopoDS_Edge> edges;
   for (const CurveRenewed& one : fitted) edges.push_back(one.edge);

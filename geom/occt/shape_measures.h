@@ -4,6 +4,7 @@
 
 #include <BRepGProp.hxx>
 #include <GProp_GProps.hxx>
+#include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 
 namespace octet {
@@ -20,6 +21,13 @@ namespace octet {
   GProp_GProps properties;
   BRepGProp::SurfaceProperties(shape, properties);
   return properties.Mass();
+}
+
+/// Twice the area over the perimeter: of a long face that is its width.
+[[nodiscard]] inline double width_of(const TopoDS_Face& face) {
+  GProp_GProps perimeter;
+  BRepGProp::LinearProperties(face, perimeter);
+  return 2.0 * area_of(face) / perimeter.Mass();
 }
 
 }  // namespace octet

@@ -135,6 +135,14 @@ TEST(LooseCurves, ThatLieOnTheirEdgesStay) {
   }
 }
 
+TEST(LooseCurves, OfAFaceNoWiderThanTheyAreOffStay) {
+  constexpr double kLow = 0.05;
+  const TopoDS_Shape coin = BRepPrimAPI_MakeCylinder(kRadius, kLow, M_PI_2).Shape();
+  ASSERT_GT(make_coarse(coin, 0.25 * kLow), 0);
+  EXPECT_TRUE(fit_loose_curves(coin, 1e-6).empty());
+  for (const auto& [edge, face] : curved_uses(coin)) EXPECT_GE(BRep_Tool::Tolerance(edge), kWide);
+}
+
 TEST(LooseCurves, OfEdgesBesideTheirFaceStay) {
   const TopoDS_Shape shape = askew_bar();
   const BRep_Builder builder;
