@@ -41,6 +41,10 @@ constexpr std::size_t kCheapTree = 20'000, kFewGaps = 10;
 /// Gaps of a boundary that crosses itself beyond which smaller octants are not tried: they cure none of its
 /// crossings, and where these leave few gaps the rest may still close.
 constexpr std::size_t kHopelessGaps = 1000;
+/// Nor where this share of the points on the boundary has octant edges whose ends and cuts disagree: walls
+/// that cross all over bound nothing (a dome of 0.02 mm whose two walls cross: one gap, at which octants were
+/// subdivided for many minutes, before a look at the faces found them everywhere).
+constexpr double kHopelessConflicts = 0.05;
 /// A mesh with more gaps than points on the boundary is too coarse nearly everywhere, by more than a factor
 /// of two: in a large tree smaller octants at all of them, again and again, take hours and as much memory as
 /// there is (a heat exchanger of 89 tubes, 1.1 m long, whose bores are a fortieth of the size).
@@ -224,8 +228,8 @@ class Run {
       if (better) best = depth;
       std::optional<Octree> finer;
       too_coarse_ = next->closed.gaps.size() > most_gaps(*next);
-      const bool hopeless = too_coarse_ || (!crossings_.empty() && next->closed.gaps.size() > kHopelessGaps);
-      if (!next->closed.gaps.empty() && !hopeless && depth < kSubdivisions)
+      hopeless_ = too_coarse_ || (!crossings_.empty() && crosses_all_over(*next));
+      if (!next->closed.gaps.empty() && !hopeless_ && depth < kSubdivisions)
         finer = subdivide_at_gaps(*next, model_, finest_at_gaps());
       const bool few = next->closed.gaps.size() <= kFewGaps;
       if (finer && depth - best >= kPatience && finer->size() > kCheapTree && !few) finer.reset();
@@ -252,9 +256,15 @@ class Run {
     if (gaps_left_ && too_coarse_) faults.insert(faults.begin(), fault_of_coarseness());
   }
 
+  [[nodiscard]] static bool crosses_all_over(const Attempt& attempt) {
+    const auto points = static_cast<double>(attempt.seeds.surface_points);
+    return attempt.closed.gaps.size() > kHopelessGaps ||
+           static_cast<double>(attempt.labels.conflicts.size()) > kHopelessConflicts * points;
+  }
+
   /// Points nearer to each other than is good for elements, for the gaps that nothing else closes.
   void close_below_floor() {
-    if (too_coarse_) return;
+    if (hopeless_) return;
     for (const double share : kLastFloorShares) {
       const std::size_t gaps = band_->closed.gaps.size();
       if (gaps == 0 || gaps > kHopelessGaps) return;
@@ -547,6 +557,7 @@ class Run {
   SeedOptions seeds_;
   bool gaps_left_ = false;
   bool too_coarse_ = false;  ///< nearly everywhere, which smaller octants at gaps do not cure
+  bool hopeless_ = false;    ///< that, or a boundary that crosses itself all over
   std::vector<Fault>
       crossings_;               ///< of faces, too shallow for the size to tell: why gaps are left, if any are
   std::optional<Octree> wish_;  ///< octants of the sizes asked for, where some were subdivided
