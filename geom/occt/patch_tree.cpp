@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <optional>
 
 namespace octet {
@@ -15,6 +16,7 @@ constexpr double kInflate = 1.5;    // sampled bounds to bounds
 constexpr double kFlat = 0.02;      // deviation / size of a leaf: about 0.16 radians of turning
 constexpr int kMaxDepth = 14;       // of a leaf below its knot span
 constexpr int kMaxBisections = 48;  // of a leaf while roots are isolated
+constexpr int kKeptDepth = 8;       // of a leaf, from where on halves are made anew for each segment
 constexpr int kBudget = 4000;       // cells looked at in one leaf before the rest is taken as touching
 constexpr double kUnique = 0.7;     // a contraction: Newton from the centre converges to the only root
 
@@ -48,6 +50,13 @@ struct PatchTree::Found {
   SurfaceRoot root;
   UvCell cell;  ///< where it was found
 };
+
+/// Of a part, across the longer of its directions.
+struct PatchTree::Halves {
+  Part left, right;
+};
+
+PatchTree::Part::~Part() { delete kept.load(); }
 
 /// The parts of one leaf.
 struct PatchTree::Search {
@@ -105,14 +114,14 @@ void PatchTree::refine(const UvCell& cell, int depth) {
   }
   patch.box = patch.box.grown(bend_u + bend_v);
   patch.middle = evaluate_(cell.centre(), 1);
-  leaves_.push_back(patch);
+  leaves_.emplace_back(patch);
 }
 
 std::int32_t PatchTree::build(std::vector<std::int32_t>& order, std::size_t begin, std::size_t end) {
   const auto index = static_cast<std::int32_t>(nodes_.size());
   nodes_.emplace_back();
   Box3 box;
-  for (std::size_t i = begin; i < end; ++i) box.add(leaves_[order[i]].box);
+  for (std::size_t i = begin; i < end; ++i) box.add(leaves_[order[i]].patch.box);
   nodes_[index].box = box;
   if (end - begin == 1) {
     nodes_[index].right = order[begin];
@@ -122,7 +131,7 @@ std::int32_t PatchTree::build(std::vector<std::int32_t>& order, std::size_t begi
   box.size().maxCoeff(&axis);
   const std::size_t middle = (begin + end) / 2;
   std::nth_element(order.begin() + begin, order.begin() + middle, order.begin() + end, [&](int a, int b) {
-    const double ca = leaves_[a].box.centre()[axis], cb = leaves_[b].box.centre()[axis];
+    const double ca = leaves_[a].patch.box.centre()[axis], cb = leaves_[b].patch.box.centre()[axis];
     return ca != cb ? ca < cb : a < b;
   });
   const std::int32_t left = build(order, begin, middle);
@@ -150,6 +159,10 @@ void PatchTree::intersect(const Vec3& p, const Vec3& q, std::vector<SurfaceRoot>
     stack[top++] = node.left;
     stack[top++] = node.right;
   }
+  if (found.size() <= 1) {
+    for (const Found& f : found) roots.push_back(f.root);
+    return;
+  }
   // Touches first: they absorb what is found of them elsewhere.
   std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) {
     return a.root.tangent != b.root.tangent ? a.root.tangent : a.root.t < b.root.t;
@@ -162,9 +175,10 @@ void PatchTree::intersect(const Vec3& p, const Vec3& q, std::vector<SurfaceRoot>
 }
 
 Vec2 PatchTree::near(const Vec3& p) const {
-  const Patch* best = &leaves_.front();
+  const Patch* best = &leaves_.front().patch;
   auto best_distance = std::make_pair(std::numeric_limits<double>::infinity(), 0.0);
-  for (const Patch& leaf : leaves_) {
+  for (const Part& part : leaves_) {
+    const Patch& leaf = part.patch;
     const auto distance = std::make_pair(leaf.box.squared_distance(p), (leaf.box.centre() - p).squaredNorm());
     if (!(distance < best_distance)) continue;
     best_distance = distance;
@@ -219,15 +233,16 @@ bool PatchTree::touch(const Segment& segment, const Patch& patch, SurfaceRoot& r
   return true;
 }
 
-void PatchTree::solve(const Segment& segment, const Patch& leaf, std::vector<Found>& roots) const {
-  if (misses(segment, leaf)) return;
-  if (is_unique(segment, leaf)) {
+void PatchTree::solve(const Segment& segment, const Part& leaf, std::vector<Found>& roots) const {
+  const Patch& patch = leaf.patch;
+  if (misses(segment, patch)) return;
+  if (is_unique(segment, patch)) {
     SurfaceRoot root;
-    if (newton(segment, leaf, root)) roots.push_back({root, leaf.cell});
+    if (newton(segment, patch, root)) roots.push_back({root, patch.cell});
     return;
   }
-  if (coincide(segment, leaf, roots)) return;
-  Search search{segment, leaf.box.diagonal(), roots};
+  if (coincide(segment, patch, roots)) return;
+  Search search{segment, patch.box.diagonal(), roots};
   halve(search, leaf, 0);
 }
 
@@ -245,7 +260,7 @@ PatchTree::Patch PatchTree::part_of(const Patch& whole, const UvCell& cell) cons
   return part;
 }
 
-void PatchTree::halve(Search& search, const Patch& patch, int depth) const {
+PatchTree::Halves PatchTree::halved(const Patch& patch, int depth) const {
   const Vec2 h = patch.cell.size();
   const auto extent = [&](int axis, const Vec3& along) {
     return along.norm() * h[axis] + h[axis] * h[axis] * patch.second[2 * axis] / 8.0;
@@ -257,22 +272,42 @@ void PatchTree::halve(Search& search, const Patch& patch, int depth) const {
   if (depth % 4 == 3) here.second = patch.second.cwiseMin(measured(patch.cell).second);
   UvCell left = patch.cell, right = patch.cell;
   left.hi[axis] = right.lo[axis] = patch.cell.centre()[axis];
-  solve_part(search, part_of(here, left), depth + 1);
-  solve_part(search, part_of(here, right), depth + 1);
+  return {Part(part_of(here, left)), Part(part_of(here, right))};
 }
 
-void PatchTree::solve_part(Search& search, const Patch& part, int depth) const {
-  if (--search.budget < 0 || misses(search.segment, part)) return;
+const PatchTree::Halves& PatchTree::kept_halves(const Part& part, int depth) const {
+  const Halves* kept = part.kept.load(std::memory_order_acquire);
+  if (kept != nullptr) return *kept;
+  std::unique_ptr<const Halves> made(new Halves(halved(part.patch, depth)));
+  // Another thread may have made the same ones meanwhile.
+  return part.kept.compare_exchange_strong(kept, made.get(), std::memory_order_acq_rel) ? *made.release()
+                                                                                        : *kept;
+}
+
+void PatchTree::halve(Search& search, const Part& part, int depth) const {
+  const auto solve_both = [&](const Halves& halves) {
+    solve_part(search, halves.left, depth + 1);
+    solve_part(search, halves.right, depth + 1);
+  };
+  if (depth < kKeptDepth)
+    solve_both(kept_halves(part, depth));
+  else
+    solve_both(halved(part.patch, depth));
+}
+
+void PatchTree::solve_part(Search& search, const Part& part, int depth) const {
+  const Patch& patch = part.patch;
+  if (--search.budget < 0 || misses(search.segment, patch)) return;
   SurfaceRoot root;
-  if (is_unique(search.segment, part)) {
-    if (newton(search.segment, part, root)) search.roots.push_back({root, part.cell});
+  if (is_unique(search.segment, patch)) {
+    if (newton(search.segment, patch, root)) search.roots.push_back({root, patch.cell});
     return;
   }
   // A patch that bends less than rounding holds nothing that a further bisection could tell apart.
   const bool is_tiny =
-      part.bend() <= 0.25 * search.segment.tolerance && part.box.diagonal() <= 1e-3 * search.leaf_size;
+      patch.bend() <= 0.25 * search.segment.tolerance && patch.box.diagonal() <= 1e-3 * search.leaf_size;
   if (depth < kMaxBisections && !is_tiny) return halve(search, part, depth);
-  if (touch(search.segment, part, root)) search.roots.push_back({root, part.cell});
+  if (touch(search.segment, patch, root)) search.roots.push_back({root, patch.cell});
 }
 
 /// Newton on S(u,v) = p + t d from the cell's middle; fails when it leaves the cell's neighbourhood.

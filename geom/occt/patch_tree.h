@@ -2,7 +2,10 @@
 // All roots of a segment and a free-form surface, by subdivision down to patches with one root at most.
 #pragma once
 
+#include <array>
+#include <atomic>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <vector>
 
@@ -21,7 +24,8 @@ struct UvCell {
 ///
 /// Invariants: the cells of the leaves tile the (u,v) box; |Suu|, |Suv|, |Svv| stay below the leaf's bounds
 /// (sampled, then inflated: not a proof), so that a patch lies within (hu^2 |Suu| + hv^2 |Svv|) / 8 of the
-/// hull of its corners. Memory: about 350 bytes a leaf. Immutable, thread-safe.
+/// hull of its corners. Halves of leaves are the same for all segments: they are made when a segment first
+/// asks for them, and the first of them are kept. Memory: about 350 bytes a leaf or kept half. Thread-safe.
 class PatchTree {
  public:
   using Evaluate = std::function<SurfaceJet(const Vec2& uv, int derivatives)>;
@@ -50,6 +54,14 @@ class PatchTree {
     /// How far the patch lies off the parallelogram of the middle's derivatives, at most [Taylor].
     [[nodiscard]] double bend() const;
   };
+  struct Halves;
+  /// A leaf or a part of one.
+  struct Part {
+    explicit Part(const Patch& p) : patch(p) {}
+    ~Part();
+    Patch patch;
+    mutable std::atomic<const Halves*> kept{nullptr};  ///< its own halves
+  };
   struct Node {
     Box3 box;
     std::int32_t left = -1, right = -1;  ///< children; a leaf has left = -1 and its patch in right
@@ -66,13 +78,15 @@ class PatchTree {
   void refine(const UvCell& cell, int depth);
   [[nodiscard]] Patch measured(const UvCell& cell) const;
   std::int32_t build(std::vector<std::int32_t>& order, std::size_t begin, std::size_t end);
-  void solve(const Segment& segment, const Patch& leaf, std::vector<Found>& roots) const;
+  void solve(const Segment& segment, const Part& leaf, std::vector<Found>& roots) const;
   [[nodiscard]] static bool misses(const Segment& segment, const Patch& patch);
   [[nodiscard]] static bool is_unique(const Segment& segment, const Patch& patch);
   [[nodiscard]] static bool touch(const Segment& segment, const Patch& patch, SurfaceRoot& root);
   [[nodiscard]] Patch part_of(const Patch& whole, const UvCell& cell) const;
-  void halve(Search& search, const Patch& patch, int depth) const;
-  void solve_part(Search& search, const Patch& part, int depth) const;
+  [[nodiscard]] Halves halved(const Patch& patch, int depth) const;
+  [[nodiscard]] const Halves& kept_halves(const Part& part, int depth) const;
+  void halve(Search& search, const Part& part, int depth) const;
+  void solve_part(Search& search, const Part& part, int depth) const;
   bool newton(const Segment& segment, const Patch& patch, SurfaceRoot& root) const;
   bool coincide(const Segment& segment, const Patch& leaf, std::vector<Found>& roots) const;
   [[nodiscard]] Crossing crossing_of(const Segment& segment, const Found& found) const;
@@ -81,7 +95,7 @@ class PatchTree {
   Evaluate evaluate_;
   UvCell range_;
   double tolerance_ = 0.0;  ///< rounding of the coordinates
-  std::vector<Patch> leaves_;
+  std::deque<Part> leaves_;
   std::vector<Node> nodes_;
 };
 
