@@ -163,16 +163,20 @@ void cut_tree(Attempt& attempt, const Model& model, const std::function<bool()>&
   OctantTypes& types = attempt.labels;
   run_both([&] { attempt.vertices = octree_vertices(attempt.tree); },
            [&] { types = octant_types(model, attempt.tree); });
-  attempt.cuts = cut_octant_edges(model, attempt.tree, attempt.vertices, types, cancelled);
+  attempt.edges = boundary_octant_edges(attempt.tree, attempt.vertices, types);
+  attempt.cuts = cut_octant_edges(model, attempt.tree, attempt.vertices, attempt.edges, cancelled);
 }
 
 void place_points(Attempt& attempt, const Model& model, const SeedOptions& options) {
   Seeder seeder(model, attempt.tree, options);
   OctreeLabels labels;
-  run_both(
-      [&] { seeder.seed_boundary(attempt.cuts); },
-      [&] { labels = label_vertices(model, attempt.tree, attempt.vertices, attempt.labels, attempt.cuts); });
+  run_both([&] { seeder.seed_boundary(attempt.cuts); },
+           [&] {
+             labels = label_vertices(model, attempt.tree, attempt.vertices, attempt.labels, attempt.edges,
+                                     attempt.cuts);
+           });
   attempt.labels = std::move(labels);
+  attempt.edges = {};
   attempt.seeds = seeder.seed_octree(attempt.vertices, attempt.labels);
   attempt.split =
       split_interior(model, attempt.tree, attempt.vertices, attempt.labels, attempt.seeds, options.size);

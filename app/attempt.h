@@ -22,6 +22,7 @@ struct Attempt {
 
   Octree tree;
   OctreeVertices vertices;
+  std::vector<OctantEdge> edges;  ///< of boundary octants; until points are placed
   std::vector<OctantEdgeCut> cuts;
   OctreeLabels labels;  ///< of octants once the tree is cut, of vertices once points are placed
   Seeds seeds;

@@ -16,17 +16,15 @@ namespace {
 /// Octants and vertices a task.
 constexpr std::size_t kGrain = 4096;
 
-void flag_lattice(const Octree& tree, const OctreeVertices& vertices, OctantId o,
-                  std::vector<std::uint8_t>& flags) {
-  for (const std::uint32_t v : octant_lattice(tree, vertices, o))
-    if (v != kNoVertex) flags[v] = 1;
+void flag_vertices(const OctreeVertices& vertices, OctantId o, std::vector<std::uint8_t>& flags) {
+  for_each_vertex(vertices, o, [&](std::uint32_t v) { flags[v] = 1; });
 }
 
 /// Deep octants that share a vertex with one that is of the band become near.
-void part_near_from_deep(const Octree& tree, const OctreeVertices& vertices, std::vector<OctantRole>& role) {
+void part_near_from_deep(const OctreeVertices& vertices, std::vector<OctantRole>& role) {
   std::vector<std::uint8_t> beside(vertices.size(), 0);
   for (std::size_t i = 0; i < role.size(); ++i)
-    if (role[i] == OctantRole::kBand) flag_lattice(tree, vertices, OctantId(i), beside);
+    if (role[i] == OctantRole::kBand) flag_vertices(vertices, OctantId(i), beside);
   for (std::size_t i = 0; i < role.size(); ++i) {
     const auto& corners = vertices.corners[i];
     if (role[i] == OctantRole::kDeep &&
@@ -88,7 +86,7 @@ DeepVertices deep_vertices(const Octree& tree, const OctreeVertices& vertices, c
     }
   }
   for (std::size_t o = 0; o < tree.size(); ++o) {
-    if (split.role[o] != OctantRole::kDeep) flag_lattice(tree, vertices, OctantId(o), other);
+    if (split.role[o] != OctantRole::kDeep) flag_vertices(vertices, OctantId(o), other);
     if (shares[o] < 6) other[vertices.centre(OctantId(o))] = 1;
   }
   DeepVertices result;
@@ -134,7 +132,7 @@ BandAndInterior split_interior(const Model& model, const Octree& tree, const Oct
   split.templates = templates.size();
   split.role.assign(tree.size(), OctantRole::kBand);
   for (const OctantId o : templates) split.role[o.index()] = OctantRole::kDeep;
-  part_near_from_deep(tree, vertices, split.role);
+  part_near_from_deep(vertices, split.role);
   const std::vector<std::uint8_t> in_band =
       band_vertices(tree, vertices, templates, seeds.octree_vertex_kept, length);
   const SeedPoints& all = seeds.points;
@@ -172,6 +170,11 @@ ExtraTets near_tets(const Octree& tree, const OctreeVertices& vertices, const Oc
   extra.covers = [&split, &tree](const Vec3& centroid) {
     return is_between_templates(tree, split, centroid);
   };
+  // Between template octants are octree vertices alone.
+  const std::vector<std::uint64_t>& order = split.band.order;
+  extra.first_covered = static_cast<std::uint32_t>(
+      std::find_if(order.begin(), order.end(), is_octree_vertex_rank) - order.begin());
+  extra.last_covered = static_cast<std::uint32_t>(order.size());
   return extra;
 }
 

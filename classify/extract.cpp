@@ -81,13 +81,18 @@ Mesh extract_mesh(Band& band, const TetMesh& tets, std::span<const Vec3> points,
                   const EdgeChains& chains, const ExtraTets& extra) {
   const Model& model = band.model();
   Extractor out(points, on);
+  const auto is_covered = [&](const std::array<VertexId, 4>& v) {
+    if (!extra.covers || std::any_of(v.begin(), v.end(), [&](VertexId p) {
+          return p.index() < extra.first_covered || p.index() >= extra.last_covered;
+        }))
+      return false;
+    return extra.covers(0.25 *
+                        (tets.points[v[0]] + tets.points[v[1]] + tets.points[v[2]] + tets.points[v[3]]));
+  };
   const auto kept = collect<TetId>(tets.tets.size(), [&](std::size_t i, std::vector<TetId>& found) {
     const TetId t(i);
     if (!tets.alive(t) || band.region(t) == 0 || tets.ghost(t)) return;
-    const auto& v = tets.tets[t];
-    const Vec3 centroid =
-        0.25 * (tets.points[v[0]] + tets.points[v[1]] + tets.points[v[2]] + tets.points[v[3]]);
-    if (!extra.covers || !extra.covers(centroid)) found.push_back(t);
+    if (!is_covered(tets.tets[t])) found.push_back(t);
   });
   tbb::parallel_for(std::size_t{0}, kept.size(), [&](std::size_t i) {
     for (const VertexId p : tets.tets[kept[i]]) out.use(p.index());

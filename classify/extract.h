@@ -14,8 +14,9 @@ struct ExtraTets {
   std::vector<std::int32_t> region;
   std::vector<std::uint32_t> first;  ///< points that become the first vertices of the mesh, in this order
   /// Whether the band's own tetrahedron fills the space of these and is dropped; may be empty.
-  /// Asked by many threads at once.
+  /// Asked by many threads at once, of tetrahedra whose points are all of those below.
   std::function<bool(const Vec3& centroid)> covers;
+  std::uint32_t first_covered = 0, last_covered = UINT32_MAX;  ///< points [first, last)
 };
 
 /// The mesh of all tetrahedra in regions, with the facets of the band as triangles and the chains as edges.

@@ -8,7 +8,6 @@
 
 #include "base/blocks.h"
 #include "base/error.h"
-#include "octree/octant_edges.h"
 
 namespace octet {
 namespace {
@@ -31,16 +30,15 @@ void cut_edges(const Model& model, const Octree& tree, const OctreeVertices& ver
 }  // namespace
 
 std::vector<OctantEdgeCut> cut_octant_edges(const Model& model, const Octree& tree,
-                                            const OctreeVertices& vertices, const OctantTypes& types,
+                                            const OctreeVertices& vertices, std::span<const OctantEdge> edges,
                                             const std::function<bool()>& cancelled) {
-  const std::vector<OctantEdge> edges = boundary_octant_edges(tree, vertices, types);
   std::vector<std::vector<OctantEdgeCut>> chunks((edges.size() + kChunk - 1) / kChunk);
   for (std::size_t begin = 0; begin < chunks.size(); begin += kChunksAQuestion) {
     if (cancelled && cancelled()) throw Cancelled();
     tbb::parallel_for(begin, std::min(begin + kChunksAQuestion, chunks.size()), [&](std::size_t i) {
       const std::size_t first = i * kChunk;
-      cut_edges(model, tree, vertices,
-                std::span(edges).subspan(first, std::min(kChunk, edges.size() - first)), chunks[i]);
+      cut_edges(model, tree, vertices, edges.subspan(first, std::min(kChunk, edges.size() - first)),
+                chunks[i]);
     });
   }
   return joined(chunks);

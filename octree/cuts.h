@@ -4,9 +4,11 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
-#include "octree/labels.h"
+#include "geom/model.h"
+#include "octree/octant_edges.h"
 
 namespace octet {
 
@@ -17,12 +19,12 @@ struct OctantEdgeCut {
   Hit hit;
 };
 
-/// All cuts of boundary_octant_edges() in their order, by t on each [Handbook 15.5.2.2]. Long edges that a
-/// hanging vertex splits are cut by their halves only. Edges are cut in parallel. `cancelled` is asked often
-/// by the calling thread; true ends the search with Cancelled.
+/// All cuts of `edges`, those of boundary_octant_edges(), in their order, by t on each [Handbook 15.5.2.2].
+/// Long edges that a hanging vertex splits are cut by their halves only. Edges are cut in parallel.
+/// `cancelled` is asked often by the calling thread; true ends the search with Cancelled.
 [[nodiscard]] std::vector<OctantEdgeCut> cut_octant_edges(const Model& model, const Octree& tree,
                                                           const OctreeVertices& vertices,
-                                                          const OctantTypes& types,
+                                                          std::span<const OctantEdge> edges,
                                                           const std::function<bool()>& cancelled = {});
 
 }  // namespace octet

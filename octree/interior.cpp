@@ -12,11 +12,8 @@ namespace {
 
 /// Octants that touch each other share a vertex, for the finer one's corners are all on the coarser one's
 /// lattice: flags on vertices find neighbours without searching.
-void flag_vertices(const Octree& tree, const OctreeVertices& vertices, OctantId octant,
-                   std::vector<std::uint8_t>& flags) {
-  for (const std::uint32_t v : octant_lattice(tree, vertices, octant)) {
-    if (v != kNoVertex) flags[v] = 1;
-  }
+void flag_vertices(const OctreeVertices& vertices, OctantId octant, std::vector<std::uint8_t>& flags) {
+  for_each_vertex(vertices, octant, [&](std::uint32_t v) { flags[v] = 1; });
 }
 
 /// Vertices of octants off the inside: a circumsphere may reach the boundary only beyond these.
@@ -24,7 +21,7 @@ std::vector<std::uint8_t> near_the_boundary(const Octree& tree, const OctreeVert
                                             const OctreeLabels& labels) {
   std::vector<std::uint8_t> flags(vertices.size(), 0);
   for (std::size_t i = 0; i < tree.size(); ++i) {
-    if (labels.type[i] == OctantType::kBoundary) flag_vertices(tree, vertices, OctantId(i), flags);
+    if (labels.type[i] == OctantType::kBoundary) flag_vertices(vertices, OctantId(i), flags);
   }
   return flags;
 }
@@ -36,7 +33,7 @@ std::vector<std::uint8_t> near_a_free_point(const Octree& tree, const OctreeVert
   for (std::size_t p = 0; p < points.size(); ++p) {
     const bool octree_vertex = (points.order[p] >> 63) != 0;
     if (octree_vertex || points.on[p].dim < 3) continue;
-    flag_vertices(tree, vertices, tree.find(points.position[p]), flags);
+    flag_vertices(vertices, tree.find(points.position[p]), flags);
   }
   return flags;
 }
@@ -48,16 +45,14 @@ std::vector<OctantId> template_octants(const Model& model, const Octree& tree, c
                                        const SeedPoints& points) {
   const std::vector<std::uint8_t> boundary = near_the_boundary(tree, vertices, labels);
   const std::vector<std::uint8_t> occupied = near_a_free_point(tree, vertices, points);
-  const auto suits = [&](OctantId octant, const OctantLattice& lattice) {
-    bool touches_boundary = false;
-    int count = 0;
-    for (const std::uint32_t v : lattice) {
-      if (v == kNoVertex) continue;
-      if (kept[v] == 0 || occupied[v] != 0) return false;
+  const auto suits = [&](OctantId octant) {
+    if (!vertices.hanging_on(octant).empty()) return false;
+    bool is_free = true, touches_boundary = false;
+    for_each_vertex(vertices, octant, [&](std::uint32_t v) {
+      is_free = is_free && kept[v] != 0 && occupied[v] == 0;
       touches_boundary = touches_boundary || boundary[v] != 0;
-      ++count;
-    }
-    if (count > kPlainVertices) return false;
+    });
+    if (!is_free) return false;
     // Neighbours are no smaller than this octant where nothing hangs, so spheres end within them.
     return !touches_boundary ||
            !model.near_boundary(tree.box(octant).grown(kOverhang * tree.length(tree[octant].level)));
@@ -66,7 +61,7 @@ std::vector<OctantId> template_octants(const Model& model, const Octree& tree, c
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tree.size()), [&](const auto& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i) {
       if (labels.type[i] != OctantType::kIn) continue;
-      suitable[i] = suits(OctantId(i), octant_lattice(tree, vertices, OctantId(i))) ? 1 : 0;
+      suitable[i] = suits(OctantId(i)) ? 1 : 0;
     }
   });
   // Two passes: the list is large, and growing it would copy it.
@@ -86,7 +81,7 @@ std::vector<std::uint8_t> band_vertices(const Octree& tree, const OctreeVertices
   std::vector<std::uint8_t> is_template(tree.size(), 0);
   for (const OctantId o : templates) is_template[o.index()] = 1;
   for (std::size_t i = 0; i < tree.size(); ++i)
-    if (is_template[i] == 0) flag_vertices(tree, vertices, OctantId(i), band);
+    if (is_template[i] == 0) flag_vertices(vertices, OctantId(i), band);
   // A template octant across a face from one that is none has tetrahedra there.
   for (const OctantId o : templates) {
     const auto& corners = vertices.corners[o.index()];

@@ -9,7 +9,6 @@
 
 #include "base/check.h"
 #include "octree/cuts.h"
-#include "octree/octant_edges.h"
 
 namespace octet {
 namespace {
@@ -46,13 +45,14 @@ std::array<std::int32_t, 2> regions_across(const Model& model, const Hit& hit, c
 class VertexLabeller {
  public:
   VertexLabeller(const Model& model, const Octree& tree, const OctreeVertices& vertices,
-                 const OctantTypes& types, const std::vector<OctantEdgeCut>& cuts)
+                 const OctantTypes& types, std::span<const OctantEdge> edges,
+                 const std::vector<OctantEdgeCut>& cuts)
       : model_(model),
         tree_(tree),
         vertices_(vertices),
         types_(types),
+        edges_(edges),
         cuts_(cuts),
-        edges_(boundary_octant_edges(tree, vertices, types)),
         region_(vertices.size(), kUnknown),
         asked_(vertices.size(), 0) {}
 
@@ -113,7 +113,7 @@ class VertexLabeller {
   void take_octants_regions() {
     for (std::size_t i = 0; i < tree_.size(); ++i) {
       if (types_.type[i] == OctantType::kBoundary) continue;
-      for (const std::uint32_t v : octant_lattice(tree_, vertices_, OctantId(i))) {
+      for (const std::uint32_t v : octant_lattice(vertices_, OctantId(i))) {
         if (v == kNoVertex) continue;
         if (region_[v] == kUnknown) {
           region_[v] = types_.region[i];
@@ -244,8 +244,8 @@ class VertexLabeller {
   const Octree& tree_;
   const OctreeVertices& vertices_;
   const OctantTypes& types_;
+  std::span<const OctantEdge> edges_;
   const std::vector<OctantEdgeCut>& cuts_;
-  std::vector<OctantEdge> edges_;
   std::vector<Passage> passages_;   // per edge
   std::vector<std::uint32_t> row_;  // per vertex: first of its entries in edges_of_
   std::vector<std::uint32_t> edges_of_;
@@ -259,8 +259,9 @@ class VertexLabeller {
 }  // namespace
 
 OctreeLabels label_vertices(const Model& model, const Octree& tree, const OctreeVertices& vertices,
-                            const OctantTypes& types, const std::vector<OctantEdgeCut>& cuts) {
-  return VertexLabeller(model, tree, vertices, types, cuts).run();
+                            const OctantTypes& types, std::span<const OctantEdge> edges,
+                            const std::vector<OctantEdgeCut>& cuts) {
+  return VertexLabeller(model, tree, vertices, types, edges, cuts).run();
 }
 
 }  // namespace octet

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/fault.h"
+#include "octree/octant_edges.h"
 #include "octree/octant_types.h"
 #include "octree/vertices.h"
 
@@ -25,9 +27,10 @@ struct OctreeLabels : OctantTypes {
 /// "Tree building"]. Tangent, coincident and end-point events and events on model edges and vertices say
 /// nothing about parity: no path leads along such an edge. Vertices that no path reaches are asked for
 /// exactly. Where an edge's cuts disagree with the regions of its ends, a Fault is told and both ends are
-/// asked for exactly. `cuts` are those of cut_octant_edges() with the same arguments.
+/// asked for exactly. `edges` are those of boundary_octant_edges(), `cuts` theirs of cut_octant_edges().
 [[nodiscard]] OctreeLabels label_vertices(const Model& model, const Octree& tree,
                                           const OctreeVertices& vertices, const OctantTypes& types,
+                                          std::span<const OctantEdge> edges,
                                           const std::vector<OctantEdgeCut>& cuts);
 
 }  // namespace octet

@@ -3,11 +3,12 @@
 #include "octree/octant_edges.h"
 
 #include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/parallel_sort.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "base/blocks.h"
+#include "base/bucket_sort.h"
 
 namespace octet {
 namespace {
@@ -33,7 +34,7 @@ constexpr std::array<std::array<std::uint8_t, 3>, 12> edge_places() {
 std::vector<OctantEdge> boundary_octant_edges(const Octree& tree, const OctreeVertices& vertices,
                                               const OctantTypes& types) {
   static constexpr auto kPlaces = edge_places();
-  // Packed as numbers, which sort twice as fast as pairs and in the same order.
+  // Packed as numbers, which sort faster than pairs and in the same order.
   using Lines = std::vector<std::uint64_t>;
   const auto add = [](Lines& lines, std::uint32_t from, std::uint32_t to) {
     lines.push_back(std::uint64_t{std::min(from, to)} << 32 | std::max(from, to));
@@ -41,7 +42,7 @@ std::vector<OctantEdge> boundary_octant_edges(const Octree& tree, const OctreeVe
   Lines along_axes = collect<std::uint64_t>(tree.size(), [&](std::size_t i, Lines& lines) {
     if (types.type[i] != OctantType::kBoundary) return;
     const OctantId o(i);
-    const OctantLattice lattice = octant_lattice(tree, vertices, o);
+    const OctantLattice lattice = octant_lattice(vertices, o);
     for (const auto& [from, middle, to] : kPlaces) {
       if (lattice[middle] == kNoVertex) {
         add(lines, lattice[from], lattice[to]);
@@ -59,7 +60,8 @@ std::vector<OctantEdge> boundary_octant_edges(const Octree& tree, const OctreeVe
     if (types.type[i] != OctantType::kBoundary) return;
     for (const std::uint32_t corner : vertices.corners[i]) add(lines, corner, vertices.centre(OctantId(i)));
   });
-  tbb::parallel_sort(along_axes.begin(), along_axes.end());
+  bucket_sort(
+      along_axes, vertices.size(), [](std::uint64_t line) { return line >> 32; }, std::less<>());
   along_axes.erase(std::unique(along_axes.begin(), along_axes.end()), along_axes.end());
   std::vector<OctantEdge> edges(along_axes.size() + diagonal.size());
   tbb::parallel_for(std::size_t{0}, edges.size(), [&](std::size_t i) {

@@ -19,7 +19,7 @@ struct OctantEdge {
 /// All such lines of boundary octants, unique; an edge with a hanging vertex is told as its two halves. First
 /// those along the axes, sorted by (from, to), then the diagonals octant by octant: points that are taken in
 /// this order lie in rows on planes along the axes, which saved two thirds of a box's finalization. Cost:
-/// O(n log n) over the boundary octants.
+/// O(n) over the octants.
 [[nodiscard]] std::vector<OctantEdge> boundary_octant_edges(const Octree& tree,
                                                             const OctreeVertices& vertices,
                                                             const OctantTypes& types);

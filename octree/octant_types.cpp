@@ -5,7 +5,10 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <numeric>
+
+#include "base/bucket_sort.h"
 
 namespace octet {
 namespace {
@@ -17,24 +20,26 @@ struct Block {
   bool boundary = false;
 };
 
-std::vector<Block> children_of(const Octree& tree, const Block& parent) {
-  std::vector<Block> children;
+std::array<Block, 8> children_of(const Octree& tree, const Block& parent) {
+  std::array<Block, 8> children;
+  const bool are_octants = parent.last - parent.first == children.size();
   const int level = parent.root.level + 1;
   const std::uint32_t e = parent.root.extent() / 2;
   std::uint32_t first = parent.first;
   for (std::uint32_t c = 0; c < 8; ++c) {
-    Block child;
+    Block& child = children[c];
     const Lattice& at = parent.root.corner;
     child.root = {{at[0] + (c & 1) * e, at[1] + (c >> 1 & 1) * e, at[2] + (c >> 2) * e},
                   static_cast<std::int8_t>(level)};
     child.first = first;
     child.last = parent.last;
-    if (c < 7) {
+    if (are_octants) {
+      child.last = first + 1;
+    } else if (c < 7) {
       const MortonKey end = morton_key(child.root.corner) + (MortonKey{1} << (3 * (kLatticeLevels - level)));
       child.last = tree.find(lattice_of(end)).index();
     }
     first = child.last;
-    children.push_back(child);
   }
   return children;
 }
@@ -50,7 +55,7 @@ std::vector<Block> blocks_of(const Model& model, const Octree& tree) {
     std::vector<Block> next;
     for (const Block& block : open) {
       if (block.boundary && block.last - block.first > 1) {
-        const std::vector<Block> children = children_of(tree, block);
+        const std::array<Block, 8> children = children_of(tree, block);
         next.insert(next.end(), children.begin(), children.end());
       } else {
         blocks.push_back(block);
@@ -58,7 +63,9 @@ std::vector<Block> blocks_of(const Model& model, const Octree& tree) {
     }
     open = std::move(next);
   }
-  std::sort(blocks.begin(), blocks.end(), [](const Block& a, const Block& b) { return a.first < b.first; });
+  const auto by_first = [](const Block& a, const Block& b) { return a.first < b.first; };
+  bucket_sort(
+      blocks, tree.size(), [](const Block& block) { return block.first; }, by_first);
   return blocks;
 }
 

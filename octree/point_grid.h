@@ -40,7 +40,8 @@ class PointGrid {
   bool any_within(const Vec3& at, double r, const Visit& visit) const {
     const int start = level_of(2.0 * r);
     const Query<Visit> query{at, at - Vec3::Constant(r), at + Vec3::Constant(r), r * r, visit};
-    for (int level = 0; level <= start; ++level) {
+    // Those beside which a point is too near mostly have the spacing that is asked about.
+    for (int level = start; level >= 0; --level) {
       if (level < start && !(used_ >> level & 1)) continue;
       const Index lo = cell(query.lo, level), hi = cell(query.hi, level);
       for (std::int64_t i = lo.x; i <= hi.x; ++i)

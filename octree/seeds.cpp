@@ -39,13 +39,6 @@ void seed_model_vertices(SeedState& state) {
 
 namespace {
 
-/// Calls mark(vertex) for every vertex on the octant, those that hang on it included.
-template <class Mark>
-void for_each_vertex(const Octree& tree, const OctreeVertices& vertices, OctantId o, const Mark& mark) {
-  for (const std::uint32_t v : octant_lattice(tree, vertices, o))
-    if (v != kNoVertex) mark(v);
-}
-
 /// Where each octree vertex is, as far as the boundary goes.
 struct Surroundings {
   /// 0 on a boundary octant, hanging on it included; 1 on an octant that has such a vertex; 2 farther.
@@ -61,14 +54,14 @@ Surroundings surroundings(const Octree& tree, const OctreeVertices& vertices, co
   std::vector<std::uint8_t>& open = result.open;
   for (std::size_t o = 0; o < tree.size(); ++o)
     if (labels.type[o] == OctantType::kBoundary)
-      for_each_vertex(tree, vertices, OctantId(o), [&](std::uint32_t v) { ring[v] = 0; });
+      for_each_vertex(vertices, OctantId(o), [&](std::uint32_t v) { ring[v] = 0; });
   for (std::size_t o = 0; o < tree.size(); ++o) {
     const auto& corners = vertices.corners[o];
     if (labels.type[o] == OctantType::kBoundary ||
         std::none_of(corners.begin(), corners.end(), [&](std::uint32_t v) { return ring[v] == 0; }))
       continue;
     const bool outside = labels.type[o] == OctantType::kOut;
-    for_each_vertex(tree, vertices, OctantId(o), [&](std::uint32_t v) {
+    for_each_vertex(vertices, OctantId(o), [&](std::uint32_t v) {
       ring[v] = std::min<std::uint8_t>(ring[v], 1);
       open[v] |= outside ? 1 : 0;
     });

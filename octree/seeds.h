@@ -8,6 +8,7 @@
 
 #include "base/seed_points.h"
 #include "octree/cuts.h"
+#include "octree/labels.h"
 #include "octree/tips.h"
 
 namespace octet {

@@ -10,6 +10,8 @@
 
 #include <algorithm>
 
+#include "base/blocks.h"
+
 namespace octet {
 namespace {
 
@@ -21,22 +23,40 @@ Lattice corner_of(const Octant& o, int corner) {
           o.corner[2] + (corner >> 2) * e};
 }
 
+/// The octant that has p as its lower corner, kNoVertex when there is none; `guess` is looked at first.
+std::uint32_t octant_at(const Octree& tree, const Lattice& p, std::size_t guess) {
+  if (guess < tree.size() && tree[OctantId(guess)].corner == p) return static_cast<std::uint32_t>(guess);
+  if (std::max({p[0], p[1], p[2]}) == kLatticeExtent) return kNoVertex;
+  const OctantId found = tree.find(p);
+  return tree[found].corner == p ? found.index() : kNoVertex;
+}
+
 /// Per octant and corner: the octant that has that point as its lower corner, kNoVertex when there is none.
+/// Half of those at the corners along the axes are siblings. The other corners are corners along the axes of
+/// those octants, where these are of the same level.
 Corners octants_at_corners(const Octree& tree) {
   Corners owner(tree.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tree.size()), [&](const auto& range) {
-    for (std::size_t i = range.begin(); i < range.end(); ++i) {
-      const Octant& o = tree[OctantId(i)];
-      owner[i][0] = static_cast<std::uint32_t>(i);
-      for (int c = 1; c < 8; ++c) {
-        const Lattice p = corner_of(o, c);
-        owner[i][c] = kNoVertex;
-        if (std::max({p[0], p[1], p[2]}) == kLatticeExtent) continue;
-        const OctantId found = tree.find(p);
-        const Lattice& at = tree[found].corner;
-        if (at[0] == p[0] && at[1] == p[1] && at[2] == p[2]) owner[i][c] = found.index();
-      }
-    }
+  const auto fill = [&](const auto& corners_of) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tree.size()), [&](const auto& range) {
+      for (std::size_t i = range.begin(); i < range.end(); ++i) corners_of(i, tree[OctantId(i)]);
+    });
+  };
+  fill([&](std::size_t i, const Octant& o) {
+    owner[i][0] = static_cast<std::uint32_t>(i);
+    for (const int axis : {1, 2, 4})
+      owner[i][axis] = octant_at(tree, corner_of(o, axis), i + static_cast<std::size_t>(axis));
+  });
+  const auto by_way_of = [&](std::size_t i, const Octant& o, int beside, int axis) {
+    const std::uint32_t other = owner[i][beside];
+    return other != kNoVertex && tree[OctantId(other)].level == o.level
+               ? owner[other][axis]
+               : octant_at(tree, corner_of(o, beside + axis), tree.size());
+  };
+  fill([&](std::size_t i, const Octant& o) {
+    owner[i][3] = by_way_of(i, o, 1, 2);
+    owner[i][5] = by_way_of(i, o, 1, 4);
+    owner[i][6] = by_way_of(i, o, 2, 4);
+    owner[i][7] = by_way_of(i, o, 3, 4);
   });
   return owner;
 }
@@ -70,6 +90,55 @@ constexpr std::array<std::uint8_t, 27> corner_masks() {
     }
   }
   return masks;
+}
+
+/// As OctreeVertices::find, by way of the octant that holds p: between its lower corner and the next octant's
+/// stand few other vertices.
+std::uint32_t find_near(const Octree& tree, const OctreeVertices& vertices, const Lattice& p) {
+  if (std::max({p[0], p[1], p[2]}) >= kLatticeExtent) return vertices.find(p);
+  const std::size_t o = tree.find(p).index();
+  const auto first = vertices.at.begin() + vertices.corners[o][0];
+  const auto last =
+      vertices.at.begin() + (o + 1 < tree.size() ? vertices.corners[o + 1][0] : vertices.centre(OctantId(0)));
+  const auto it = std::lower_bound(first, last, p, morton_less);
+  return it != last && *it == p ? static_cast<std::uint32_t>(it - vertices.at.begin()) : kNoVertex;
+}
+
+/// Calls visit(place, vertex) for each vertex that hangs on the octant.
+template <class Visit>
+void find_hanging(const Octree& tree, const OctreeVertices& vertices, OctantId octant, const Visit& visit) {
+  static constexpr auto kCornerMasks = corner_masks();
+  const Octant& o = tree[octant];
+  const auto& corners = vertices.corners[octant.index()];
+  // A finer neighbour across an edge or a face has children at all of its corners.
+  std::uint8_t finer = 0;
+  for (int c = 0; c < 8; ++c)
+    if (vertices.finest_level[corners[c]] > o.level) finer |= static_cast<std::uint8_t>(1u << c);
+  if ((finer & (finer - 1)) == 0) return;
+  const std::uint32_t half = o.extent() / 2;
+  for (std::uint32_t place = 0; place < kCornerMasks.size(); ++place) {
+    const std::uint8_t between = kCornerMasks[place];
+    const bool is_corner_or_centre = (between & (between - 1)) == 0 || between == 0xff;
+    if (is_corner_or_centre || (between & ~finer) != 0) continue;
+    const std::array<int, 3> at = steps_of(static_cast<int>(place));
+    const std::uint32_t v = find_near(
+        tree, vertices, {o.corner[0] + at[0] * half, o.corner[1] + at[1] * half, o.corner[2] + at[2] * half});
+    if (v != kNoVertex) visit(place, v);
+  }
+}
+
+/// Once, for octants are asked for their vertices again and again.
+void list_hanging(const Octree& tree, OctreeVertices& vertices) {
+  vertices.hanging_begin.assign(tree.size() + 1, 0);
+  vertices.hanging = collect<OctreeVertices::Hanging>(
+      tree.size(), [&](std::size_t i, std::vector<OctreeVertices::Hanging>& hanging) {
+        const std::size_t before = hanging.size();
+        find_hanging(tree, vertices, OctantId(i), [&](std::uint32_t place, std::uint32_t v) {
+          hanging.push_back({v, place});
+        });
+        vertices.hanging_begin[i + 1] = static_cast<std::uint32_t>(hanging.size() - before);
+      });
+  for (std::size_t i = 0; i < tree.size(); ++i) vertices.hanging_begin[i + 1] += vertices.hanging_begin[i];
 }
 
 }  // namespace
@@ -121,46 +190,17 @@ OctreeVertices octree_vertices(const Octree& tree) {
     vertices.finest_level.push_back(o.level);
   }
   vertices.corners = std::move(owner);
+  list_hanging(tree, vertices);
   return vertices;
 }
 
-namespace {
-
-/// As OctreeVertices::find, by way of the octant that holds p: between its lower corner and the next octant's
-/// stand few other vertices.
-std::uint32_t find_near(const Octree& tree, const OctreeVertices& vertices, const Lattice& p) {
-  if (std::max({p[0], p[1], p[2]}) >= kLatticeExtent) return vertices.find(p);
-  const std::size_t o = tree.find(p).index();
-  const auto first = vertices.at.begin() + vertices.corners[o][0];
-  const auto last =
-      vertices.at.begin() + (o + 1 < tree.size() ? vertices.corners[o + 1][0] : vertices.centre(OctantId(0)));
-  const auto it = std::lower_bound(first, last, p, morton_less);
-  return it != last && *it == p ? static_cast<std::uint32_t>(it - vertices.at.begin()) : kNoVertex;
-}
-
-}  // namespace
-
-OctantLattice octant_lattice(const Octree& tree, const OctreeVertices& vertices, OctantId octant) {
-  static constexpr auto kCornerMasks = corner_masks();
-  const Octant& o = tree[octant];
+OctantLattice octant_lattice(const OctreeVertices& vertices, OctantId octant) {
   const auto& corners = vertices.corners[octant.index()];
   OctantLattice lattice;
   lattice.fill(kNoVertex);
   lattice[13] = vertices.centre(octant);
-  // A finer neighbour across an edge or a face has children at all of its corners.
-  std::uint8_t finer = 0;
-  for (int c = 0; c < 8; ++c) {
-    lattice[2 * (c & 1) + 6 * (c >> 1 & 1) + 18 * (c >> 2)] = corners[c];
-    if (vertices.finest_level[corners[c]] > o.level) finer |= static_cast<std::uint8_t>(1u << c);
-  }
-  if ((finer & (finer - 1)) == 0) return lattice;
-  const std::uint32_t half = o.extent() / 2;
-  for (int place = 0; place < 27; ++place) {
-    if (lattice[place] != kNoVertex || (kCornerMasks[place] & ~finer) != 0) continue;
-    const std::array<int, 3> at = steps_of(place);
-    lattice[place] = find_near(
-        tree, vertices, {o.corner[0] + at[0] * half, o.corner[1] + at[1] * half, o.corner[2] + at[2] * half});
-  }
+  for (int c = 0; c < 8; ++c) lattice[2 * (c & 1) + 6 * (c >> 1 & 1) + 18 * (c >> 2)] = corners[c];
+  for (const OctreeVertices::Hanging& h : vertices.hanging_on(octant)) lattice[h.place] = h.vertex;
   return lattice;
 }
 

@@ -25,8 +25,9 @@ class Bench {
     const Octree tree = build_octree(model, request, {});
     const OctreeVertices vertices = octree_vertices(tree);
     const OctantTypes types = octant_types(model, tree);
-    const std::vector<OctantEdgeCut> cuts = cut_octant_edges(model, tree, vertices, types);
-    const OctreeLabels labels = label_vertices(model, tree, vertices, types, cuts);
+    const std::vector<OctantEdge> edges = boundary_octant_edges(tree, vertices, types);
+    const std::vector<OctantEdgeCut> cuts = cut_octant_edges(model, tree, vertices, edges);
+    const OctreeLabels labels = label_vertices(model, tree, vertices, types, edges, cuts);
     seeds_ = test::seed_points(model, tree, vertices, labels, cuts, {size});
   }
 

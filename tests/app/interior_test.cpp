@@ -24,8 +24,9 @@ struct SplitBall {
     tree = build_octree(model, {size}, samples);
     vertices = octree_vertices(tree);
     const OctantTypes types = octant_types(model, tree);
-    const std::vector<OctantEdgeCut> cuts = cut_octant_edges(model, tree, vertices, types);
-    labels = label_vertices(model, tree, vertices, types, cuts);
+    const std::vector<OctantEdge> edges = boundary_octant_edges(tree, vertices, types);
+    const std::vector<OctantEdgeCut> cuts = cut_octant_edges(model, tree, vertices, edges);
+    labels = label_vertices(model, tree, vertices, types, edges, cuts);
     seeds = test::seed_points(model, tree, vertices, labels, cuts, {size});
     split = split_interior(model, tree, vertices, labels, seeds, size);
   }

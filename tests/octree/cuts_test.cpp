@@ -45,7 +45,7 @@ TEST(OctantEdgeCuts, EqualTheModelsAnswerOnEveryEdgeOfTheTree) {
 TEST(OctantEdgeCuts, TheSearchEndsWhenCancelled) {
   const Model model = analytic_box(Vec3(1.0, 1.0, 1.0));
   const Labelled l = label(model, 1.0 / 4);
-  EXPECT_THROW((void)cut_octant_edges(model, l.tree, l.vertices, l.types, [] { return true; }), Cancelled);
+  EXPECT_THROW((void)cut_octant_edges(model, l.tree, l.vertices, l.edges, [] { return true; }), Cancelled);
   SeedOptions never{1.0 / 4};
   never.cancelled = [] { return true; };
   EXPECT_THROW((void)test::seed_points(model, l.tree, l.vertices, l.labels, l.cuts, never), Cancelled);

@@ -8,6 +8,7 @@
 
 #include "geom/analytic.h"
 #include "octree/cuts.h"
+#include "octree/labels.h"
 
 namespace octet::test {
 
@@ -46,6 +47,7 @@ struct Labelled {
   Octree tree;
   OctreeVertices vertices;
   OctantTypes types;
+  std::vector<OctantEdge> edges;
   std::vector<OctantEdgeCut> cuts;
   OctreeLabels labels;
 };
@@ -54,9 +56,11 @@ inline Labelled label(const Model& model, double size, const std::vector<SizeSam
   Octree tree = build_octree(model, {size}, samples);
   OctreeVertices vertices = octree_vertices(tree);
   OctantTypes types = octant_types(model, tree);
-  std::vector<OctantEdgeCut> cuts = cut_octant_edges(model, tree, vertices, types);
-  OctreeLabels labels = label_vertices(model, tree, vertices, types, cuts);
-  return {std::move(tree), std::move(vertices), std::move(types), std::move(cuts), std::move(labels)};
+  std::vector<OctantEdge> edges = boundary_octant_edges(tree, vertices, types);
+  std::vector<OctantEdgeCut> cuts = cut_octant_edges(model, tree, vertices, edges);
+  OctreeLabels labels = label_vertices(model, tree, vertices, types, edges, cuts);
+  return {std::move(tree),  std::move(vertices), std::move(types),
+          std::move(edges), std::move(cuts),     std::move(labels)};
 }
 
 }  // namespace octet::test

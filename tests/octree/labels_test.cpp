@@ -63,7 +63,7 @@ TEST(OctreeLabels, ACutThatIsMissingIsTold) {
   const std::size_t middle = l.cuts.size() / 2;
   const OctantEdgeCut lost = l.cuts[middle];
   l.cuts.erase(l.cuts.begin() + static_cast<std::ptrdiff_t>(middle));
-  const OctreeLabels labels = label_vertices(model, l.tree, l.vertices, l.types, l.cuts);
+  const OctreeLabels labels = label_vertices(model, l.tree, l.vertices, l.types, l.edges, l.cuts);
   ASSERT_FALSE(labels.conflicts.empty());
   EXPECT_EQ(labels.conflicts.front().entity, model_face(1));
   EXPECT_LT((labels.conflicts.front().place - lost.hit.point).norm(), 0.3);
@@ -78,7 +78,7 @@ TEST(OctreeLabels, ACutTurnedRoundIsTold) {
   const Model model = analytic_box(Vec3(1.0, 1.2, 0.8), test::turned());
   Labelled l = label(model, 0.1);
   l.cuts[7].hit.normal = -l.cuts[7].hit.normal;
-  const OctreeLabels labels = label_vertices(model, l.tree, l.vertices, l.types, l.cuts);
+  const OctreeLabels labels = label_vertices(model, l.tree, l.vertices, l.types, l.edges, l.cuts);
   ASSERT_EQ(labels.conflicts.size(), 1u);
   EXPECT_EQ(labels.conflicts.front().entity, l.cuts[7].hit.on);
   EXPECT_EQ(labels.conflicts.front().place, l.cuts[7].hit.point);
@@ -90,7 +90,7 @@ TEST(OctreeLabels, EventsThatSayNothingAboutParityAreNotAsked) {
   Labelled l = label(model, 0.1);
   for (std::size_t i = 0; i < l.cuts.size(); i += 3) l.cuts[i].hit.kind = HitKind::kTangent;
   for (std::size_t i = 1; i < l.cuts.size(); i += 3) l.cuts[i].hit.end_point = true;
-  const OctreeLabels labels = label_vertices(model, l.tree, l.vertices, l.types, l.cuts);
+  const OctreeLabels labels = label_vertices(model, l.tree, l.vertices, l.types, l.edges, l.cuts);
   EXPECT_TRUE(labels.conflicts.empty());
   EXPECT_EQ(labels.vertex_region, l.labels.vertex_region);
 }
@@ -103,8 +103,9 @@ TEST(OctreeLabels, SurviveAModelThatLiesOnOctantPlanes) {
   const Octree tree(Vec3::Constant(-0.5), 2.0, octants);
   const OctreeVertices vertices = octree_vertices(tree);
   const OctantTypes types = octant_types(model, tree);
-  const auto cuts = cut_octant_edges(model, tree, vertices, types);
-  const OctreeLabels labels = label_vertices(model, tree, vertices, types, cuts);
+  const std::vector<OctantEdge> edges = boundary_octant_edges(tree, vertices, types);
+  const auto cuts = cut_octant_edges(model, tree, vertices, edges);
+  const OctreeLabels labels = label_vertices(model, tree, vertices, types, edges, cuts);
   EXPECT_TRUE(labels.conflicts.empty());
   for (std::size_t v = 0; v < vertices.size(); ++v) {
     const Vec3 p = tree.position(vertices.at[v]);

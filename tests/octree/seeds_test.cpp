@@ -25,8 +25,9 @@ Stage seed(const Model& model, double size) {
   Octree tree = build_octree(model, request, {});
   OctreeVertices vertices = octree_vertices(tree);
   const OctantTypes types = octant_types(model, tree);
-  const std::vector<OctantEdgeCut> cuts = cut_octant_edges(model, tree, vertices, types);
-  OctreeLabels labels = label_vertices(model, tree, vertices, types, cuts);
+  const std::vector<OctantEdge> edges = boundary_octant_edges(tree, vertices, types);
+  const std::vector<OctantEdgeCut> cuts = cut_octant_edges(model, tree, vertices, edges);
+  OctreeLabels labels = label_vertices(model, tree, vertices, types, edges, cuts);
   Seeds seeds = test::seed_points(model, tree, vertices, labels, cuts, {size});
   return {std::move(tree), std::move(vertices), std::move(labels), std::move(seeds)};
 }

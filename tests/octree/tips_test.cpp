@@ -65,8 +65,9 @@ TEST(Tips, HaveSixPointsOnTheRingAndNoneBeyondOrInItsBall) {
   const Tip& tip = tips.all().front();
   const OctreeVertices vertices = octree_vertices(tree);
   const OctantTypes types = octant_types(model, tree);
-  const std::vector<OctantEdgeCut> cuts = cut_octant_edges(model, tree, vertices, types);
-  const OctreeLabels labels = label_vertices(model, tree, vertices, types, cuts);
+  const std::vector<OctantEdge> edges = boundary_octant_edges(tree, vertices, types);
+  const std::vector<OctantEdgeCut> cuts = cut_octant_edges(model, tree, vertices, edges);
+  const OctreeLabels labels = label_vertices(model, tree, vertices, types, edges, cuts);
   const Seeds seeds = test::seed_points(model, tree, vertices, labels, cuts, {kSize});
   const double radius = 0.5 * tip.reach * std::hypot(1.0, tip.taper);
   int on_ring = 0;

@@ -79,7 +79,7 @@ TEST(OctantLattice, HoldsExactlyTheVerticesOnTheOctant) {
     const OctreeVertices vertices = octree_vertices(tree);
     for (std::size_t i = 0; i < tree.size(); ++i) {
       const Octant& o = tree[OctantId(i)];
-      const OctantLattice lattice = octant_lattice(tree, vertices, OctantId(i));
+      const OctantLattice lattice = octant_lattice(vertices, OctantId(i));
       const std::uint32_t half = o.extent() / 2;
       for (std::uint32_t place = 0; place < 27; ++place) {
         const Lattice p{o.corner[0] + place % 3 * half, o.corner[1] + place / 3 % 3 * half,
