@@ -2,12 +2,12 @@
 // Each side of a boundary triangle is looked at once.
 #include "app/size_shortfall.h"
 
-#include <oneapi/tbb/parallel_sort.h>
-
 #include <algorithm>
 #include <map>
 #include <tuple>
 #include <utility>
+
+#include "base/bucket_sort.h"
 
 namespace octet {
 namespace {
@@ -43,8 +43,9 @@ SizeShortfall size_shortfall(const Mesh& mesh, const std::function<double(const 
     for (int k = 0; k < 3; ++k)
       add(mesh.triangles[i][k], mesh.triangles[i][(k + 1) % 3], model_face(mesh.triangle_on[i]));
   // Those on model edges come first among equals, and stand for all.
-  tbb::parallel_sort(sides.begin(), sides.end(),
-                     [](const Side& x, const Side& y) { return x.key() < y.key(); });
+  bucket_sort(
+      sides, mesh.points.size(), [](const Side& side) { return side.a; },
+      [](const Side& x, const Side& y) { return x.key() < y.key(); });
   SizeShortfall result;
   std::map<std::pair<int, int>, ShortEdge> worst;
   for (std::size_t i = 0; i < sides.size(); ++i) {

@@ -62,6 +62,7 @@ FacetFoot closest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const
 }
 
 /// Builds the subtrees of the faces, then the tree that joins them: both by a binned surface area heuristic.
+/// What is parted is a list of numbers; the leaves stay where they are.
 class FacetBvhBuilder {
  public:
   FacetBvhBuilder(FacetBvh& bvh, const Facets& facets, FacetBvh::Building building)
@@ -71,30 +72,26 @@ class FacetBvhBuilder {
 
   void build(int faces) {
     fill_leaves();
+    const std::vector<Part> of_faces = part_by_faces(faces);
     bvh_.items_.resize(leaves_.size());
     bvh_.face_root_.assign(faces + 1, -1);
-    std::vector<std::span<Leaf>> of_faces;
-    for (std::size_t begin = 0, end = 0; begin < leaves_.size(); begin = end) {
-      const int face = face_of(leaves_[begin]);
-      while (end < leaves_.size() && face_of(leaves_[end]) == face) ++end;
-      of_faces.push_back(std::span(leaves_).subspan(begin, end - begin));
-    }
     std::vector<Branch> branches(of_faces.size());
     for_each(of_faces.size(), [&](std::size_t i) { branches[i] = branch(of_faces[i], 0); });
     Branch whole;
     std::vector<Leaf> tops;
+    std::vector<std::int32_t> roots;
     for (std::size_t i = 0; i < branches.size(); ++i) {
-      const std::int32_t root = whole.append(branches[i]);
-      bvh_.face_root_[face_of(of_faces[i].front())] = root;
+      roots.push_back(whole.append(branches[i]));
+      bvh_.face_root_[facets_.face[of_faces[i].order[0]]] = roots.back();
       Box3 box;
-      for (const Leaf& l : of_faces[i]) box.add(l.box);
-      tops.push_back({box, box.centre(), static_cast<std::uint32_t>(root)});
+      for (const std::uint32_t n : of_faces[i].order) box.add(leaves_[n].box);
+      tops.push_back({box, box.centre()});
     }
     if (!tops.empty()) {
-      const auto root_of_face = [](std::span<Leaf> top, Branch&) {
-        return static_cast<std::int32_t>(top[0].index);
-      };
-      bvh_.root_ = split(tops, root_of_face, 1, whole);
+      std::vector<std::uint32_t> order(tops.size()), scratch(tops.size());
+      std::iota(order.begin(), order.end(), 0u);
+      const auto root_of_face = [&](const Part& top, Branch&) { return roots[top.order[0]]; };
+      bvh_.root_ = split({tops.data(), order, scratch}, root_of_face, 1, whole);
     }
     bvh_.nodes_ = std::move(whole.nodes);
   }
@@ -103,17 +100,32 @@ class FacetBvhBuilder {
   struct Leaf {
     Box3 box;
     Vec3 centre;
-    std::uint32_t index;  ///< of a triangle, or of a face's root node
+  };
+  /// Some of the leaves, by their numbers.
+  struct Part {
+    const Leaf* leaf;
+    std::span<std::uint32_t> order, scratch;
+    [[nodiscard]] std::size_t size() const { return order.size(); }
+    [[nodiscard]] const Leaf& operator[](std::size_t i) const { return leaf[order[i]]; }
+    [[nodiscard]] Part first(std::size_t n) const { return {leaf, order.first(n), scratch.first(n)}; }
+    [[nodiscard]] Part from(std::size_t n) const { return {leaf, order.subspan(n), scratch.subspan(n)}; }
   };
   /// A subtree with nodes of its own; the last one is its root.
   struct Branch {
     std::vector<FacetBvh::Node> nodes;
 
-    std::int32_t add(std::span<const Leaf> leaves, std::int32_t first, std::int32_t second) {
-      Box3 box;
-      for (const Leaf& l : leaves) box.add(l.box);
-      nodes.push_back({FloatBox::around(box), first, second});
+    std::int32_t add(const FloatBox& box, std::int32_t first, std::int32_t second) {
+      nodes.push_back({box, first, second});
       return static_cast<std::int32_t>(nodes.size() - 1);
+    }
+    std::int32_t join(std::int32_t first, std::int32_t second) {
+      FloatBox box = nodes[first];
+      const FloatBox& other = nodes[second];
+      for (int k = 0; k < 3; ++k) {
+        box.lo[k] = std::min(box.lo[k], other.lo[k]);
+        box.hi[k] = std::max(box.hi[k], other.hi[k]);
+      }
+      return add(box, first, second);
     }
     /// Its root among the nodes here.
     std::int32_t append(const Branch& other) {
@@ -141,69 +153,84 @@ class FacetBvhBuilder {
     }
   }
 
-  [[nodiscard]] int face_of(const Leaf& leaf) const { return facets_.face[leaf.index]; }
-
   void fill_leaves() {
     leaves_.resize(facets_.triangles.size());
     for_each(leaves_.size(), [&](std::size_t i) {
       Box3 box;
       for (const auto node : facets_.triangles[i]) box.add(facets_.nodes[node]);
-      leaves_[i] = {box.grown(bvh_.grow_[i]), box.centre(), static_cast<std::uint32_t>(i)};
+      leaves_[i] = {box.grown(bvh_.grow_[i]), box.centre()};
     });
     for (const double grow : bvh_.grow_) bvh_.max_grow_ = std::max(bvh_.max_grow_, grow);
-    std::stable_sort(leaves_.begin(), leaves_.end(),
-                     [&](const Leaf& a, const Leaf& b) { return face_of(a) < face_of(b); });
   }
 
-  Branch branch(std::span<Leaf> leaves, int depth) {
+  /// Of the faces that have any leaves.
+  std::vector<Part> part_by_faces(int faces) {
+    std::vector<std::size_t> end(static_cast<std::size_t>(faces) + 2, 0);
+    for (const auto face : facets_.face) ++end[static_cast<std::size_t>(face) + 1];
+    for (std::size_t f = 1; f < end.size(); ++f) end[f] += end[f - 1];
+    order_.resize(leaves_.size());
+    scratch_.resize(leaves_.size());
+    for (std::size_t i = 0; i < leaves_.size(); ++i)
+      order_[end[static_cast<std::size_t>(facets_.face[i])]++] = static_cast<std::uint32_t>(i);
+    const Part all{leaves_.data(), order_, scratch_};
+    std::vector<Part> parts;
+    for (std::size_t f = 0, begin = 0; f + 1 < end.size(); begin = end[f++])
+      if (end[f] > begin) parts.push_back(all.from(begin).first(end[f] - begin));
+    return parts;
+  }
+
+  Branch branch(const Part& part, int depth) {
     Branch result;
-    if (!in_tasks_ || leaves.size() <= kTask) {
-      const auto items_of = [this](std::span<Leaf> few, Branch& nodes) { return make_items(few, nodes); };
-      split(leaves, items_of, kMostItems, result, depth);
+    if (!in_tasks_ || part.size() <= kTask) {
+      const auto items_of = [this](const Part& few, Branch& nodes) { return make_items(few, nodes); };
+      split(part, items_of, kMostItems, result, depth);
       return result;
     }
-    const std::size_t middle = cut(leaves, depth);
+    const std::size_t middle = cut(part, depth);
     Branch right;
-    tbb::parallel_invoke([&] { result = branch(leaves.first(middle), depth + 1); },
-                         [&] { right = branch(leaves.subspan(middle), depth + 1); });
+    tbb::parallel_invoke([&] { result = branch(part.first(middle), depth + 1); },
+                         [&] { right = branch(part.from(middle), depth + 1); });
     const auto first = static_cast<std::int32_t>(result.nodes.size() - 1);
     const std::int32_t second = result.append(right);
-    result.add(leaves, first, second);
+    result.join(first, second);
     return result;
   }
 
-  std::int32_t make_items(std::span<Leaf> leaves, Branch& branch) {
-    const std::ptrdiff_t first = leaves.data() - leaves_.data();
-    for (std::size_t i = 0; i < leaves.size(); ++i) {
-      const Leaf& l = leaves[i];
-      const auto& t = facets_.triangles[l.index];
-      FacetBvh::Item item{FloatBox::around(l.box),
+  std::int32_t make_items(const Part& part, Branch& branch) {
+    const std::ptrdiff_t first = part.order.data() - order_.data();
+    Box3 box;
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      const std::uint32_t n = part.order[i];
+      const auto& t = facets_.triangles[n];
+      FacetBvh::Item item{FloatBox::around(part[i].box),
                           facets_.nodes[t[0]],
                           facets_.nodes[t[1]],
                           facets_.nodes[t[2]],
                           Vec3::Zero(),
-                          bvh_.grow_[l.index],
-                          l.index};
-      const Vec3 n = (item.b - item.a).cross(item.c - item.a);
-      if (n.squaredNorm() > 0.0) item.normal = n.normalized();
+                          bvh_.grow_[n],
+                          n};
+      const Vec3 normal = (item.b - item.a).cross(item.c - item.a);
+      if (normal.squaredNorm() > 0.0) item.normal = normal.normalized();
       bvh_.items_[static_cast<std::size_t>(first) + i] = item;
+      box.add(part[i].box);
     }
-    return branch.add(leaves, static_cast<std::int32_t>(first), -static_cast<std::int32_t>(leaves.size()));
+    return branch.add(FloatBox::around(box), static_cast<std::int32_t>(first),
+                      -static_cast<std::int32_t>(part.size()));
   }
 
   template <class MakeLeaf>
-  static std::int32_t split(std::span<Leaf> leaves, const MakeLeaf& make_leaf, std::size_t most,
-                            Branch& branch, int depth = 0) {
-    if (leaves.size() <= most) return make_leaf(leaves, branch);
-    const std::size_t middle = cut(leaves, depth);
-    const std::int32_t left = split(leaves.first(middle), make_leaf, most, branch, depth + 1);
-    const std::int32_t right = split(leaves.subspan(middle), make_leaf, most, branch, depth + 1);
-    return branch.add(leaves, left, right);
+  static std::int32_t split(const Part& part, const MakeLeaf& make_leaf, std::size_t most, Branch& branch,
+                            int depth = 0) {
+    if (part.size() <= most) return make_leaf(part, branch);
+    const std::size_t middle = cut(part, depth);
+    const std::int32_t left = split(part.first(middle), make_leaf, most, branch, depth + 1);
+    const std::int32_t right = split(part.from(middle), make_leaf, most, branch, depth + 1);
+    return branch.join(left, right);
   }
 
   /// Below some depth halving keeps the traversal stack bounded whatever the input.
-  static std::size_t cut(std::span<Leaf> leaves, int depth) {
-    return depth < kDeep ? cheapest_cut(leaves) : halve(leaves);
+  static std::size_t cut(const Part& part, int depth) {
+    return depth < kDeep ? cheapest_cut(part) : halve(part);
   }
 
   static int longest_axis(const Box3& box) {
@@ -211,37 +238,37 @@ class FacetBvhBuilder {
     return s.x() >= s.y() && s.x() >= s.z() ? 0 : (s.y() >= s.z() ? 1 : 2);
   }
 
-  static Box3 centres(std::span<const Leaf> leaves) {
+  static Box3 centres(const Part& part) {
     Box3 box;
-    for (const Leaf& l : leaves) box.add(l.centre);
+    for (const std::uint32_t n : part.order) box.add(part.leaf[n].centre);
     return box;
   }
 
-  static std::size_t halve(std::span<Leaf> leaves) {
-    const int axis = longest_axis(centres(leaves));
-    const std::size_t middle = leaves.size() / 2;
-    std::nth_element(leaves.begin(), leaves.begin() + static_cast<std::ptrdiff_t>(middle), leaves.end(),
-                     [axis](const Leaf& a, const Leaf& b) {
-                       return a.centre[axis] != b.centre[axis] ? a.centre[axis] < b.centre[axis]
-                                                               : a.index < b.index;
+  static std::size_t halve(const Part& part) {
+    const int axis = longest_axis(centres(part));
+    const std::size_t middle = part.size() / 2;
+    std::nth_element(part.order.begin(), part.order.begin() + static_cast<std::ptrdiff_t>(middle),
+                     part.order.end(), [&](std::uint32_t a, std::uint32_t b) {
+                       const double at = part.leaf[a].centre[axis], bt = part.leaf[b].centre[axis];
+                       return at != bt ? at < bt : a < b;
                      });
     return middle;
   }
 
-  static std::size_t cheapest_cut(std::span<Leaf> leaves) {
+  static std::size_t cheapest_cut(const Part& part) {
     constexpr int kBins = 16;
-    const Box3 spread = centres(leaves);
+    const Box3 spread = centres(part);
     const int axis = longest_axis(spread);
     const double lo = spread.lo[axis], width = spread.size()[axis];
-    if (!(width > 0.0)) return halve(leaves);
-    const auto bin_of = [&](const Leaf& l) {
-      return std::min(kBins - 1, static_cast<int>(kBins * ((l.centre[axis] - lo) / width)));
-    };
+    if (!(width > 0.0)) return halve(part);
     std::array<Box3, kBins> boxes;
     std::array<int, kBins> counts{};
-    for (const Leaf& l : leaves) {
-      boxes[bin_of(l)].add(l.box);
-      ++counts[bin_of(l)];
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      const Leaf& l = part[i];
+      const int bin = std::min(kBins - 1, static_cast<int>(kBins * ((l.centre[axis] - lo) / width)));
+      boxes[bin].add(l.box);
+      ++counts[bin];
+      part.scratch[i] = static_cast<std::uint32_t>(bin);
     }
     std::array<double, kBins> right_cost{};
     Box3 right;
@@ -251,7 +278,7 @@ class FacetBvhBuilder {
       right_cost[b] = n * half_area(right);
     }
     double best = kInfinity;
-    int cut = 1;
+    std::uint32_t cut = 1;
     Box3 left;
     for (int b = 1, n = 0; b < kBins; ++b) {
       left.add(boxes[b - 1]);
@@ -259,19 +286,32 @@ class FacetBvhBuilder {
       const double cost = n * half_area(left) + right_cost[b];
       if (cost < best) {
         best = cost;
-        cut = b;
+        cut = static_cast<std::uint32_t>(b);
       }
     }
-    const auto middle =
-        std::stable_partition(leaves.begin(), leaves.end(), [&](const Leaf& l) { return bin_of(l) < cut; });
-    const auto size = static_cast<std::size_t>(middle - leaves.begin());
-    return size == 0 || size == leaves.size() ? halve(leaves) : size;
+    const std::size_t size = bins_below_first(part, cut);
+    return size == 0 || size == part.size() ? halve(part) : size;
+  }
+
+  /// Leaves whose bins, in `scratch`, are below `cut` before the others, each in their order; how many.
+  static std::size_t bins_below_first(const Part& part, std::uint32_t cut) {
+    std::size_t below = 0, above = 0;
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      const std::uint32_t n = part.order[i];
+      const bool is_below = part.scratch[i] < cut;
+      part.order[below] = part.scratch[above] = n;
+      below += is_below ? 1 : 0;
+      above += is_below ? 0 : 1;
+    }
+    std::copy_n(part.scratch.begin(), above, part.order.begin() + static_cast<std::ptrdiff_t>(below));
+    return below;
   }
 
   FacetBvh& bvh_;
   const Facets& facets_;
   bool in_tasks_;
-  std::vector<Leaf> leaves_;
+  std::vector<Leaf> leaves_;                    ///< per triangle
+  std::vector<std::uint32_t> order_, scratch_;  ///< of the leaves
 };
 
 FacetBvh::FacetBvh(const Facets& facets, std::span<const double> grow, int faces, Building building)
