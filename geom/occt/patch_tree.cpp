@@ -146,12 +146,13 @@ void PatchTree::intersect(const Vec3& p, const Vec3& q, std::vector<SurfaceRoot>
   segment.tolerance += 1e-15 * (p.cwiseAbs().maxCoeff() + q.cwiseAbs().maxCoeff());
   if (segment.length == 0.0) return;
   std::vector<Found> found;
+  const Box3 near = Box3{p.cwiseMin(q), p.cwiseMax(q)}.grown(segment.tolerance);
   std::array<std::int32_t, 128> stack;
   std::size_t top = 0;
   stack[top++] = 0;
   while (top > 0) {
     const Node& node = nodes_[stack[--top]];
-    if (!clip(segment.p, segment.d, node.box.grown(segment.tolerance))) continue;
+    if (!node.box.overlaps(near)) continue;
     if (node.left < 0) {
       solve(segment, leaves_[node.right], found);
       continue;
