@@ -47,7 +47,7 @@ struct OctreeVertices {
 };
 
 /// Cost: O(n) where the tree is uniform; only hanging vertices and those on the root's far faces are sorted.
-/// 80 bytes an octant, and 8 for each vertex that hangs on it.
+/// Memory: about 62 bytes an octant, and 8 for each vertex that hangs on it.
 [[nodiscard]] OctreeVertices octree_vertices(const Octree& tree);
 
 /// The vertices on the 3x3x3 lattice of an octant, x fastest: its corners, its centre, and the hanging
