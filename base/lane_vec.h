@@ -2,6 +2,7 @@
 // Vectors of lanes: the geometry of four at once.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 
 #include "base/vec.h"
@@ -36,6 +37,11 @@ OCTET_LANEWISE LaneVec3 cross(const LaneVec3& p, const LaneVec3& q) {
 }
 OCTET_LANEWISE double dot(const Vec3& p, const Vec3& q) { return p.dot(q); }
 OCTET_LANEWISE Vec3 cross(const Vec3& p, const Vec3& q) { return p.cross(q); }
+
+/// For files that are compiled without a look at errno, which the processor's own roots do not set.
+OCTET_LANEWISE Lanes root(const Lanes& p) {
+  return Lanes{std::sqrt(p[0]), std::sqrt(p[1]), std::sqrt(p[2]), std::sqrt(p[3])};
+}
 
 /// The same for a number and for lanes of numbers.
 template <class Real>

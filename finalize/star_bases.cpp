@@ -17,9 +17,6 @@ OCTET_LANEWISE Lanes cross_squared(const LaneVec3& p, const LaneVec3& q) {
   const LaneVec3 c = cross(p, q);
   return dot(c, c);
 }
-OCTET_LANEWISE Lanes root(const Lanes& p) {
-  return Lanes{std::sqrt(p[0]), std::sqrt(p[1]), std::sqrt(p[2]), std::sqrt(p[3])};
-}
 OCTET_LANEWISE double least_lane(const Lanes& p) {
   return std::min(std::min(p[0], p[1]), std::min(p[2], p[3]));
 }
