@@ -61,6 +61,7 @@ MeanMove mean_move(const Workshop& shop, VertexId v, std::span<const TetId> tets
     move.step = share * std::min(length, kLongestStep);
     move.curved =
         std::any_of(star.faces.begin(), star.faces.end(), [&](int face) { return !shop.guard.planar(face); });
+    if (move.curved) move.shapes.assign(star.bases.shapes(), star.bases.shapes() + tets.size());
     break;
   }
   move.work += star.work;

@@ -9,9 +9,10 @@ namespace octet {
 /// A vertex's way to a better place.
 struct MeanMove {
   Stand stand;
-  double step = 0.0;       ///< length as a share of the star's mean edge; 0: stay
-  bool curved = false;     ///< triangles of the star lie on curved faces: volumes change
-  std::uint64_t work = 0;  ///< in evaluations of `shape`
+  double step = 0.0;           ///< length as a share of the star's mean edge; 0: stay
+  bool curved = false;         ///< triangles of the star lie on curved faces: volumes change
+  std::vector<double> shapes;  ///< of the star at the new place, where `curved`
+  std::uint64_t work = 0;      ///< in evaluations of `shape`
 };
 
 /// One step of Newton's method towards the minimum of the sum of the distortions (finalize/mean_shape.h) of

@@ -123,7 +123,7 @@ void relax_list(Workshop& shop, const Stars& stars, const std::vector<VertexId>&
     shop.work += move.work;
     if (move.step == 0.0) continue;
     if (move.curved) {
-      if (!commit_move(shop, list[i], stars.of(list[i]), true, move.stand)) continue;
+      if (!commit_move(shop, list[i], stars.of(list[i]), true, move.stand, move.shapes)) continue;
     } else {
       record_stand(shop, list[i], move.stand);
       ++shop.report.smoothed;

@@ -206,7 +206,8 @@ bool on_curved_faces(const Workshop& shop, const LocalStar& star) {
 
 }  // namespace
 
-bool commit_move(Workshop& shop, VertexId v, std::span<const TetId> tets, bool curved, const Stand& stand) {
+bool commit_move(Workshop& shop, VertexId v, std::span<const TetId> tets, bool curved, const Stand& stand,
+                 std::span<const double> shapes) {
   const Vec3 before = shop.mesh.points[v];
   std::vector<MeasureChange> changes;
   std::vector<StarTriangle> triangles;
@@ -214,7 +215,9 @@ bool commit_move(Workshop& shop, VertexId v, std::span<const TetId> tets, bool c
     collect_triangles(shop.mesh, v, tets, triangles);
     add_measures(shop.mesh, v, tets, triangles, -1.0, changes);
   }
-  if (!move_vertex(shop.mesh, v, stand.point, tets)) return false;
+  const bool moved = shapes.empty() ? move_vertex(shop.mesh, v, stand.point, tets)
+                                    : move_vertex(shop.mesh, v, stand.point, tets, shapes);
+  if (!moved) return false;
   if (curved) {
     add_measures(shop.mesh, v, tets, triangles, 1.0, changes);
     if (!shop.guard.admits(changes)) {

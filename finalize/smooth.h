@@ -15,8 +15,10 @@ namespace octet {
                            const StarMeasure& bar, Stand& stand);
 
 /// Moves the vertex to where it may stand; false, and nothing changed, when the exact checks refuse.
-/// `curved` when triangles at the vertex lie on curved faces.
-bool commit_move(Workshop& shop, VertexId v, std::span<const TetId> star, bool curved, const Stand& stand);
+/// `curved` when triangles at the vertex lie on curved faces; `shapes` are those of the star there, where they
+/// are known, else none.
+bool commit_move(Workshop& shop, VertexId v, std::span<const TetId> star, bool curved, const Stand& stand,
+                 std::span<const double> shapes = {});
 
 /// Improves the smallest shape of the star, which is `worst` at `stand`, towards `goal` by moving the vertex
 /// along directions that raise all of the nearly worst dihedral angles, with a golden section search on each
