@@ -103,21 +103,22 @@ struct Draft {
   Fit before, after;
 };
 
-/// The star of `gone`, and that with `kept` in its place; no further than to the first tetrahedron that would
-/// not be better than `floor`: most collapses that are tried end there.
-bool draft_star(Workshop& shop, VertexId gone, VertexId kept, double floor, std::vector<TetId>& tets,
-                Draft& draft) {
+/// The tetrahedron with `kept` in the place of `gone`.
+NewTet drawn(const WorkMesh& mesh, TetId t, VertexId gone, VertexId kept) {
+  NewTet tet{mesh.tets[t], mesh.region[t]};
+  tet.vertices[corner_of(mesh, t, gone)] = kept;
+  return tet;
+}
+
+/// Whether all tetrahedra with `kept` in the place of `gone` would be better than `floor`; if so `tets` is the
+/// star of `gone`. The walk ends at the first that refuses: most collapses that are tried end there.
+bool shapes_allow(Workshop& shop, VertexId gone, VertexId kept, double floor, std::vector<TetId>& tets) {
   WorkMesh& mesh = shop.mesh;
   return star_while(mesh, gone, tets, [&](TetId t) {
     if (corner_of(mesh, t, kept) >= 0) return true;
-    NewTet tet{mesh.tets[t], mesh.region[t]};
-    tet.vertices[corner_of(mesh, t, gone)] = kept;
-    const auto& v = tet.vertices;
+    const auto v = drawn(mesh, t, gone, kept).vertices;
     ++shop.work;
-    if (shape(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], mesh.points[v[3]]) <= floor)
-      return false;
-    draft.tets.push_back(tet);
-    return true;
+    return shape(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], mesh.points[v[3]]) > floor;
   });
 }
 
@@ -197,9 +198,11 @@ bool collapse(Workshop& shop, VertexId gone, VertexId kept, double floor, bool f
   if (mesh.on[gone].dim == 0 || mesh.held(gone) || mesh.frozen(kept)) return false;
   if (mesh.held(kept) && mesh.on[gone].dim < 3) return false;
   if (mesh.on[gone].dim < mesh.on[kept].dim) return false;
-  std::vector<TetId> tets, kept_tets;
+  if (!shapes_allow(shop, gone, kept, floor, shop.tets)) return false;
+  const std::vector<TetId>& tets = shop.tets;
   Draft draft;
-  if (!draft_star(shop, gone, kept, floor, tets, draft)) return false;
+  for (const TetId t : tets)
+    if (corner_of(mesh, t, kept) < 0) draft.tets.push_back(drawn(mesh, t, gone, kept));
   if (for_mean && !raises_mean(shop, kept, tets, draft)) return false;
   const auto shared =
       std::find_if(tets.begin(), tets.end(), [&](TetId t) { return corner_of(mesh, t, kept) >= 0; });
@@ -207,6 +210,7 @@ bool collapse(Workshop& shop, VertexId gone, VertexId kept, double floor, bool f
   EdgeRing ring;
   edge_ring(mesh, *shared, gone, kept, ring);
   if (!model_allows(shop, ring)) return false;
+  std::vector<TetId> kept_tets;
   star(mesh, kept, kept_tets);
   if (!link_allows(mesh, ring, neighbourhood(mesh, gone, tets), neighbourhood(mesh, kept, kept_tets), tets) ||
       !draft_triangles(shop, gone, kept, tets, draft)) {

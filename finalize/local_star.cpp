@@ -88,10 +88,14 @@ void local_pieces(const Workshop& shop, VertexId v, LocalStar& star) {
     }
 }
 
-void local_triangles(const Workshop& shop, VertexId v, std::span<const TetId> tets, LocalStar& star) {
+void leave_out_triangles(LocalStar& star) {
   star.triangles.clear();
   star.faces.clear();
   star.piece_ends.clear();
+}
+
+void local_triangles(const Workshop& shop, VertexId v, std::span<const TetId> tets, LocalStar& star) {
+  leave_out_triangles(star);
   if (star.on.dim == 3) return;
   collect_triangles(shop.mesh, v, tets, star.triangles);
   Fit before;

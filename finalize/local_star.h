@@ -52,6 +52,8 @@ void local_star(const Workshop& shop, VertexId v, std::span<const TetId> tets, L
 /// Its two halves: what the tetrahedra are asked, then what the triangles are.
 void local_bases(const WorkMesh& mesh, VertexId v, std::span<const TetId> tets, LocalStar& star);
 void local_triangles(const Workshop& shop, VertexId v, std::span<const TetId> tets, LocalStar& star);
+/// In place of the latter where all triangles lie in a plane, which they then neither turn in nor leave.
+void leave_out_triangles(LocalStar& star);
 /// Fills rims, normals, faces from `triangles`; `before` is the fit of the triangles to be replaced.
 void dress_triangles(const Workshop& shop, LocalStar& star, const Fit& before, double size);
 

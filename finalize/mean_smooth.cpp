@@ -53,15 +53,18 @@ MeanMove mean_move(const Workshop& shop, VertexId v, std::span<const TetId> tets
   const double length = step.norm() / star.length;
   if (!(length > kLeastStep)) return move;
   if (length > kLongestStep) step *= kLongestStep / length;
-  local_triangles(shop, v, tets, star);
+  if (star.on.dim == 2 && shop.guard.planar(star.on.tag)) {
+    leave_out_triangles(star);
+  } else {
+    local_triangles(shop, v, tets, star);
+  }
   const Stand from = current_stand(shop, v, star);
   const StarMeasure bar{std::min(floor, kNotWorse * worst), sum.value};
   for (const double share : {1.0, 0.5, 0.25}) {
     if (probe(shop, star, from, from.point + share * step, bar, move.stand) < 0.0) continue;
     move.step = share * std::min(length, kLongestStep);
-    move.curved =
-        std::any_of(star.faces.begin(), star.faces.end(), [&](int face) { return !shop.guard.planar(face); });
-    if (move.curved) move.shapes.assign(star.bases.shapes(), star.bases.shapes() + tets.size());
+    move.changes = changes_by_move(shop, v, tets, star, move.stand.point);
+    if (!move.changes.empty()) move.shapes.assign(star.bases.shapes(), star.bases.shapes() + tets.size());
     break;
   }
   move.work += star.work;

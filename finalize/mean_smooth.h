@@ -9,10 +9,12 @@ namespace octet {
 /// A vertex's way to a better place.
 struct MeanMove {
   Stand stand;
-  double step = 0.0;           ///< length as a share of the star's mean edge; 0: stay
-  bool curved = false;         ///< triangles of the star lie on curved faces: volumes change
-  std::vector<double> shapes;  ///< of the star at the new place, where `curved`
-  std::uint64_t work = 0;      ///< in evaluations of `shape`
+  double step = 0.0;       ///< length as a share of the star's mean edge; 0: stay
+  std::uint64_t work = 0;  ///< in evaluations of `shape`
+  /// Where triangles of the star lie on curved faces: what the move adds to volumes and areas, and the star's
+  /// shapes at the new place.
+  std::vector<MeasureChange> changes;
+  std::vector<double> shapes;
 };
 
 /// One step of Newton's method towards the minimum of the sum of the distortions (finalize/mean_shape.h) of

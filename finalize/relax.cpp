@@ -5,6 +5,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <bit>
 #include <tuple>
 
 #include "finalize/cavity.h"
@@ -77,28 +78,24 @@ std::vector<VertexId> vertices_to_relax(const WorkMesh& mesh) {
 }
 
 /// Lists of vertices such that no two of a list share a tetrahedron: each takes, in the order of the numbers,
-/// the first list that no neighbour is in.
+/// the first list that no neighbour is in, or, after many lists, one of its own.
 std::vector<std::vector<VertexId>> coloured(const WorkMesh& mesh, const Stars& stars,
                                             const std::vector<VertexId>& vertices) {
-  constexpr std::uint32_t kNone = 0xffffffffu;
-  std::vector<std::vector<VertexId>> lists;
-  std::vector<std::uint32_t> colour(mesh.points.size(), kNone);
-  std::vector<VertexId> taken_by;  // per list: the last vertex that found it taken
+  std::vector<std::vector<VertexId>> lists, alone;
+  std::vector<std::uint64_t> taken(mesh.tets.size(), 0);  // the lists of a tetrahedron's vertices, a bit each
   for (const VertexId v : vertices) {
-    for (const TetId t : stars.of(v)) {
-      for (const VertexId w : mesh.tets[t]) {
-        if (colour[w.index()] != kNone) taken_by[colour[w.index()]] = v;
-      }
+    std::uint64_t near = 0;
+    for (const TetId t : stars.of(v)) near |= taken[t.index()];
+    const std::size_t list = static_cast<std::size_t>(std::countr_one(near));
+    if (list == 64) {
+      alone.push_back({v});
+      continue;
     }
-    const auto first = std::find_if(taken_by.begin(), taken_by.end(), [&](VertexId by) { return by != v; });
-    const std::size_t list = static_cast<std::size_t>(first - taken_by.begin());
-    if (list == lists.size()) {
-      lists.emplace_back();
-      taken_by.emplace_back();
-    }
+    if (list == lists.size()) lists.emplace_back();
     lists[list].push_back(v);
-    colour[v.index()] = static_cast<std::uint32_t>(list);
+    for (const TetId t : stars.of(v)) taken[t.index()] |= std::uint64_t{1} << list;
   }
+  std::move(alone.begin(), alone.end(), std::back_inserter(lists));
   return lists;
 }
 
@@ -113,7 +110,7 @@ void relax_list(Workshop& shop, const Stars& stars, const std::vector<VertexId>&
       const std::span<const TetId> tets = stars.of(list[i]);
       MeanMove& move = moves[i];
       move = mean_move(shop, list[i], tets, floor, star);
-      if (move.step == 0.0 || move.curved) continue;
+      if (move.step == 0.0 || !move.changes.empty()) continue;
       if (!move_vertex(shop.mesh, list[i], move.stand.point, tets, {star.bases.shapes(), tets.size()}))
         move.step = 0.0;
     }
@@ -122,8 +119,8 @@ void relax_list(Workshop& shop, const Stars& stars, const std::vector<VertexId>&
     const MeanMove& move = moves[i];
     shop.work += move.work;
     if (move.step == 0.0) continue;
-    if (move.curved) {
-      if (!commit_move(shop, list[i], stars.of(list[i]), true, move.stand, move.shapes)) continue;
+    if (!move.changes.empty()) {
+      if (!commit_move(shop, list[i], stars.of(list[i]), move.stand, move.changes, move.shapes)) continue;
     } else {
       record_stand(shop, list[i], move.stand);
       ++shop.report.smoothed;
@@ -177,6 +174,34 @@ bool may_swap(const Workshop& shop, TetId t, double floor, EdgeRing& ring) {
   return false;
 }
 
+/// Edges that were tried in vain, until something changes at an end of theirs: each is met at three or four
+/// bad tetrahedra. An edge may be forgotten, none is made up.
+class TriedEdges {
+ public:
+  explicit TriedEdges(std::size_t vertices) : changed_(vertices, 0) {}
+  [[nodiscard]] bool in_vain(VertexId a, VertexId b) {
+    const Slot& slot = slot_of(piece_key(a, b));
+    return slot.key == piece_key(a, b) && std::max(changed_[a.index()], changed_[b.index()]) < slot.when;
+  }
+  void note_vain(VertexId a, VertexId b) { slot_of(piece_key(a, b)) = {piece_key(a, b), ++serial_}; }
+  void note_change(const WorkMesh& mesh, std::span<const TetId> made) {
+    ++serial_;
+    for (const TetId t : made)
+      for (const VertexId v : mesh.tets[t]) changed_[v.index()] = serial_;
+  }
+
+ private:
+  struct Slot {
+    std::uint64_t key = UINT64_MAX;
+    std::uint32_t when = 0;
+  };
+  static constexpr int kBits = 16;
+  Slot& slot_of(std::uint64_t key) { return slots_[(key * 0x9E3779B97F4A7C15u) >> (64 - kBits)]; }
+  std::vector<Slot> slots_ = std::vector<Slot>(std::size_t{1} << kBits);
+  std::vector<std::uint32_t> changed_;  ///< per vertex
+  std::uint32_t serial_ = 0;
+};
+
 bool swap_something(Workshop& shop, TetId t, double floor) {
   const auto v = shop.mesh.tets[t];
   for (int e = 0; e < 6; ++e) {
@@ -214,6 +239,7 @@ void collapse_for_mean(Workshop& shop, double floor) {
   for (std::size_t i = 0; i < mesh.tets.size(); ++i)
     if (mesh.alive(TetId(i)) && mesh.quality[TetId(i)] < kCollapseBelow) bad.emplace_back(i);
   scatter(bad);
+  TriedEdges tried(mesh.points.size());
   for (const TetId t : bad) {
     if (!mesh.alive(t) || mesh.quality[t] >= kCollapseBelow) continue;
     const double short_edge = kShortEdge * shop.size_at(mesh.point(t, 0));
@@ -221,7 +247,12 @@ void collapse_for_mean(Workshop& shop, double floor) {
     for (const auto& e : kTetEdge) {
       const VertexId a = v[e[0]], b = v[e[1]];
       if ((mesh.points[a] - mesh.points[b]).squaredNorm() > short_edge * short_edge) continue;
-      if (collapse_edge_for_mean(shop, a, b, floor) || collapse_edge_for_mean(shop, b, a, floor)) break;
+      if (tried.in_vain(a, b)) continue;
+      if (collapse_edge_for_mean(shop, a, b, floor) || collapse_edge_for_mean(shop, b, a, floor)) {
+        tried.note_change(mesh, shop.made);
+        break;
+      }
+      tried.note_vain(a, b);
     }
   }
 }

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "base/check.h"
 #include "finalize/cavity.h"
 #include "finalize/shape.h"
 #include "finalize/workshop.h"
@@ -187,45 +186,32 @@ double worst_quality(const WorkMesh& mesh, const std::vector<TetId>& tets) {
   return worst;
 }
 
-/// Adds the volumes and areas of the star to its regions' and faces', with the sign given: before a move -1,
-/// after it +1.
-void add_measures(const WorkMesh& mesh, VertexId v, std::span<const TetId> tets,
-                  std::span<const StarTriangle> triangles, double sign, std::vector<MeasureChange>& changes) {
-  for (const TetId t : tets)
-    add_change(changes, model_region(mesh.region[t]),
-               sign * signed_volume(mesh.point(t, 0), mesh.point(t, 1), mesh.point(t, 2), mesh.point(t, 3)));
-  for (const auto& [face, rim] : triangles)
-    add_change(changes, model_face(face),
-               sign * triangle_area(mesh.points[v], mesh.points[rim[0]], mesh.points[rim[1]]));
-}
-
-bool on_curved_faces(const Workshop& shop, const LocalStar& star) {
-  return std::any_of(star.faces.begin(), star.faces.end(),
-                     [&](int face) { return !shop.guard.planar(face); });
-}
-
 }  // namespace
 
-bool commit_move(Workshop& shop, VertexId v, std::span<const TetId> tets, bool curved, const Stand& stand,
-                 std::span<const double> shapes) {
-  const Vec3 before = shop.mesh.points[v];
+std::vector<MeasureChange> changes_by_move(const Workshop& shop, VertexId v, std::span<const TetId> tets,
+                                           const LocalStar& star, const Vec3& place) {
   std::vector<MeasureChange> changes;
-  std::vector<StarTriangle> triangles;
-  if (curved) {
-    collect_triangles(shop.mesh, v, tets, triangles);
-    add_measures(shop.mesh, v, tets, triangles, -1.0, changes);
+  if (std::all_of(star.faces.begin(), star.faces.end(), [&](int face) { return shop.guard.planar(face); }))
+    return changes;
+  const Vec3& before = shop.mesh.points[v];
+  const Vec3 sixth = (place - before) / 6.0;
+  for (std::size_t i = 0; i < tets.size(); ++i)
+    add_change(changes, model_region(shop.mesh.region[tets[i]]), star.bases.normal(i).dot(sixth));
+  for (std::size_t i = 0; i < star.triangles.size(); ++i) {
+    const auto& [x, y] = star.rims[i];
+    add_change(changes, model_face(star.triangles[i].face),
+               triangle_area(place, x, y) - triangle_area(before, x, y));
   }
+  return changes;
+}
+
+bool commit_move(Workshop& shop, VertexId v, std::span<const TetId> tets, const Stand& stand,
+                 std::span<const MeasureChange> changes, std::span<const double> shapes) {
+  if (!shop.guard.admits(changes)) return false;
   const bool moved = shapes.empty() ? move_vertex(shop.mesh, v, stand.point, tets)
                                     : move_vertex(shop.mesh, v, stand.point, tets, shapes);
   if (!moved) return false;
-  if (curved) {
-    add_measures(shop.mesh, v, tets, triangles, 1.0, changes);
-    if (!shop.guard.admits(changes)) {
-      OCTET_CHECK(move_vertex(shop.mesh, v, before, tets));
-      return false;
-    }
-    shop.guard.take(changes);
-  }
+  shop.guard.take(changes);
   record_stand(shop, v, stand);
   shop.made.assign(tets.begin(), tets.end());
   ++shop.report.smoothed;
@@ -272,7 +258,8 @@ bool smooth_vertex(Workshop& shop, VertexId v, double goal) {
   }
   worst = raise_worst(shop, local, stand, worst, goal);
   shop.work += local.work;
-  return worst > better_than(before) && commit_move(shop, v, tets, on_curved_faces(shop, local), stand);
+  return worst > better_than(before) &&
+         commit_move(shop, v, tets, stand, changes_by_move(shop, v, tets, local, stand.point));
 }
 
 }  // namespace octet

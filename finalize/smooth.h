@@ -14,11 +14,16 @@ namespace octet {
 [[nodiscard]] double probe(const Workshop& shop, LocalStar& star, const Stand& from, const Vec3& wish,
                            const StarMeasure& bar, Stand& stand);
 
-/// Moves the vertex to where it may stand; false, and nothing changed, when the exact checks refuse.
-/// `curved` when triangles at the vertex lie on curved faces; `shapes` are those of the star there, where they
-/// are known, else none.
-bool commit_move(Workshop& shop, VertexId v, std::span<const TetId> star, bool curved, const Stand& stand,
-                 std::span<const double> shapes = {});
+/// What volumes and areas gain when the vertex goes to `place`; nothing where no triangle of its star lies on
+/// a curved face. `tets` are the tetrahedra of the star.
+[[nodiscard]] std::vector<MeasureChange> changes_by_move(const Workshop& shop, VertexId v,
+                                                         std::span<const TetId> tets, const LocalStar& star,
+                                                         const Vec3& place);
+
+/// Moves the vertex to where it may stand; false, and nothing changed, when the guard does not admit the
+/// changes or the exact signs refuse. `shapes` are those of the star there, where they are known, else none.
+bool commit_move(Workshop& shop, VertexId v, std::span<const TetId> star, const Stand& stand,
+                 std::span<const MeasureChange> changes, std::span<const double> shapes = {});
 
 /// Improves the smallest shape of the star, which is `worst` at `stand`, towards `goal` by moving the vertex
 /// along directions that raise all of the nearly worst dihedral angles, with a golden section search on each

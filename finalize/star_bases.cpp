@@ -134,8 +134,7 @@ void StarBases::close() {
 std::array<Vec3, 3> StarBases::operator[](std::size_t i) const {
   const Block& block = blocks_[i / kLanes];
   const std::size_t lane = i % kLanes;
-  const auto of = [&](const LaneVec3& v) -> Vec3 { return {v[0][lane], v[1][lane], v[2][lane]}; };
-  return {of(block.x), of(block.y), of(block.z)};
+  return {lane_of(block.x, lane), lane_of(block.y, lane), lane_of(block.z, lane)};
 }
 
 StarMeasure StarBases::measure(const Vec3& place, double floor) {

@@ -40,6 +40,8 @@ class StarBases {
   void close();
   [[nodiscard]] std::size_t size() const { return count_; }
   [[nodiscard]] std::array<Vec3, 3> operator[](std::size_t i) const;
+  /// Of a base, towards the vertex, twice as long as its area: what a step of the vertex adds to six volumes.
+  [[nodiscard]] Vec3 normal(std::size_t i) const { return lane_of(blocks_[i / kLanes].normal, i % kLanes); }
 
   /// With the vertex at `place`. Stops at a worst shape not above `floor`; the sum and the shapes are whole
   /// where worst > floor.
@@ -62,6 +64,7 @@ class StarBases {
 
  private:
   void grow();
+  static Vec3 lane_of(const LaneVec3& v, std::size_t lane) { return {v[0][lane], v[1][lane], v[2][lane]}; }
   [[nodiscard]] std::span<Block> blocks() { return {blocks_.data(), (count_ + kLanes - 1) / kLanes}; }
   [[nodiscard]] std::span<const Block> blocks() const {
     return {blocks_.data(), (count_ + kLanes - 1) / kLanes};

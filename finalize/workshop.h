@@ -37,6 +37,7 @@ struct Workshop {
   std::vector<TetId> made;          ///< tetrahedra made or changed by the last operator that succeeded
   EdgeRing ring;                    ///< scratch
   LocalStar star;                   ///< scratch
+  std::vector<TetId> tets;          ///< scratch: most stars that are walked end at their first tetrahedra
 
   /// Serial numbers of operations: when tetrahedra at the vertex last changed, and when the tetrahedron was
   /// last tried in vain. What has not changed since is not tried again.
