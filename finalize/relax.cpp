@@ -174,8 +174,8 @@ bool may_swap(const Workshop& shop, TetId t, double floor, EdgeRing& ring) {
   return false;
 }
 
-/// Edges that were tried in vain, until something changes at an end of theirs: each is met at three or four
-/// bad tetrahedra. An edge may be forgotten, none is made up.
+/// Edges that were tried in vain, until something changes at an end of theirs: a third of those tried on a
+/// bracket had been so before, from another bad tetrahedron. An edge may be forgotten, none is made up.
 class TriedEdges {
  public:
   explicit TriedEdges(std::size_t vertices) : changed_(vertices, 0) {}
