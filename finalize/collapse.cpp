@@ -110,8 +110,8 @@ NewTet drawn(const WorkMesh& mesh, TetId t, VertexId gone, VertexId kept) {
   return tet;
 }
 
-/// Whether all tetrahedra with `kept` in the place of `gone` would be better than `floor`; if so `tets` is the
-/// star of `gone`. The walk ends at the first that refuses: most collapses that are tried end there.
+/// Whether all tetrahedra with `kept` in the place of `gone` would be better than `floor`; if so `tets` is
+/// the star of `gone`. The walk ends at the first that refuses: most collapses that are tried end there.
 bool shapes_allow(Workshop& shop, VertexId gone, VertexId kept, double floor, std::vector<TetId>& tets) {
   WorkMesh& mesh = shop.mesh;
   return star_while(mesh, gone, tets, [&](TetId t) {

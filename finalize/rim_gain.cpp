@@ -3,6 +3,8 @@
 #include "finalize/rim_gain.h"
 
 #include <algorithm>
+#include <array>
+#include <limits>
 
 #include "base/lane_vec.h"
 #include "finalize/mean_shape.h"
