@@ -266,4 +266,10 @@ std::optional<Octree> subdivide_at(const Octree& tree, const std::vector<Vec3>& 
   return std::move(subdivision).tree();
 }
 
+bool crosses_all_over(const Attempt& attempt) {
+  constexpr std::size_t kPointsPerConflict = 20;
+  return attempt.closed.gaps.size() > kHopelessGaps ||
+         kPointsPerConflict * attempt.labels.conflicts.size() > attempt.seeds.surface_points;
+}
+
 }  // namespace octet

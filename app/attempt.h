@@ -53,6 +53,16 @@ void close_holes(Attempt& attempt, const Model& model, double size, AttributeLim
 /// place would turn a tetrahedron inside out stays where it was rounded to.
 [[nodiscard]] std::vector<Vec3> points_of(const Attempt& attempt);
 
+/// Gaps of a boundary that crosses itself beyond which nothing more is tried: smaller octants cure none of its
+/// crossings, and where these leave few gaps the rest may still close.
+inline constexpr std::size_t kHopelessGaps = 1000;
+
+/// Whether a boundary that is known to cross itself does so all over: by the gaps, or because octant edges
+/// whose ends and cuts disagree are more than a twentieth of the points on the boundary (a dome of 0.02 mm
+/// whose walls cross left one gap, at which octants were subdivided for many minutes, before a look at the
+/// faces found them everywhere).
+[[nodiscard]] bool crosses_all_over(const Attempt& attempt);
+
 /// Looks at facets, too, where edges lack pieces: all gaps, in place of the pieces alone.
 void find_all_gaps(Attempt& attempt);
 

@@ -16,10 +16,6 @@ namespace {
 /// Octants and vertices a task.
 constexpr std::size_t kGrain = 4096;
 
-void flag_vertices(const OctreeVertices& vertices, OctantId o, std::vector<std::uint8_t>& flags) {
-  for_each_vertex(vertices, o, [&](std::uint32_t v) { flags[v] = 1; });
-}
-
 /// Deep octants that share a vertex with one that is of the band become near.
 void part_near_from_deep(const OctreeVertices& vertices, std::vector<OctantRole>& role) {
   std::vector<std::uint8_t> beside(vertices.size(), 0);

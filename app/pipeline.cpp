@@ -15,6 +15,7 @@
 
 #include "app/apart.h"
 #include "app/attempt.h"
+#include "app/geometry_faults.h"
 #include "app/leave_out.h"
 #include "app/measures.h"
 #include "app/mesh_part.h"
@@ -38,13 +39,6 @@ namespace {
 /// one more or less.
 constexpr int kSubdivisions = 6, kPatience = 2;
 constexpr std::size_t kCheapTree = 20'000, kFewGaps = 10;
-/// Gaps of a boundary that crosses itself beyond which smaller octants are not tried: they cure none of its
-/// crossings, and where these leave few gaps the rest may still close.
-constexpr std::size_t kHopelessGaps = 1000;
-/// Nor where this share of the points on the boundary has octant edges whose ends and cuts disagree: walls
-/// that cross all over bound nothing (a dome of 0.02 mm whose two walls cross: one gap, at which octants were
-/// subdivided for many minutes, before a look at the faces found them everywhere).
-constexpr double kHopelessConflicts = 0.05;
 /// A mesh with more gaps than points on the boundary is too coarse nearly everywhere, by more than a factor
 /// of two: in a large tree smaller octants at all of them, again and again, take hours and as much memory as
 /// there is (a heat exchanger of 89 tubes, 1.1 m long, whose bores are a fortieth of the size).
@@ -72,37 +66,6 @@ constexpr std::array<double, 6> kLastFloorShares{5e-4, 2.5e-4, 1.25e-4, 6e-5, 3e
 /// Attribute points for the gaps of one octant. Where gaps close few octants take more than 23, but four
 /// narrow holes in one take 400; where they do not, octants take thousands.
 constexpr std::size_t kPointsPerOctant = 1000;
-
-/// Gaps up to so many times the size of the features taken away are of them: edges stretched over a feature
-/// leave the faces by no more than its width to either side.
-constexpr double kGapOfFeature = 2.0;
-
-/// Where features were taken away it is they who leave such gaps: no mending helps.
-Fault warning_of(const WideGap& gap, const Model& part) {
-  const bool taken_away = gap.gap <= kGapOfFeature * part.parts().taken_away;
-  const char* what = gap.entity.dim == 1 ? "runs beside its faces" : "lies off the ends of its edges";
-  return {
-      gap.entity, gap.place,
-      fmt::format("it {} by up to {:.3g} mm, {:.2g} of the size there", what, gap.gap, gap.gap / gap.local),
-      taken_away ? "features were taken away here: ask for a larger size, or take away less of them"
-                 : "mend the part there, or ask for a larger size"};
-}
-
-Fault fault_of(const FaceTouch& touch, const Model& model) {
-  return {
-      model_face(touch.face[0]), touch.place,
-      fmt::format("it touches {} here, without an edge or a vertex that the two share: no mesh is on one and "
-                  "not on the other",
-                  model.describe(model_face(touch.face[1]))),
-      "in the CAD system let the two share an edge there, or part them"};
-}
-
-Fault warning_of(const FaceCrossing& crossing, const Model& model) {
-  return {model_face(crossing.face[0]), crossing.place,
-          fmt::format("it crosses {} by {:.3g} mm or more", model.describe(model_face(crossing.face[1])),
-                      crossing.depth),
-          "mend the part there"};
-}
 
 /// Faults of all kinds, those that are not listed with their claim as well.
 std::size_t fault_count(const MeshReport& report) {
@@ -254,12 +217,6 @@ class Run {
     for (Fault& fault : faults) fault.place = frame_.to_part(fault.place);
     if (gaps_left_) faults.insert(faults.begin(), crossings_.begin(), crossings_.end());
     if (gaps_left_ && too_coarse_) faults.insert(faults.begin(), fault_of_coarseness());
-  }
-
-  [[nodiscard]] static bool crosses_all_over(const Attempt& attempt) {
-    const auto points = static_cast<double>(attempt.seeds.surface_points);
-    return attempt.closed.gaps.size() > kHopelessGaps ||
-           static_cast<double>(attempt.labels.conflicts.size()) > kHopelessConflicts * points;
   }
 
   /// Points nearer to each other than is good for elements, for the gaps that nothing else closes.

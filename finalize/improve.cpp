@@ -12,6 +12,7 @@
 #include "finalize/collapse.h"
 #include "finalize/compound.h"
 #include "finalize/edge_removal.h"
+#include "finalize/edge_slots.h"
 #include "finalize/face_swap.h"
 #include "finalize/shape.h"
 #include "finalize/smooth.h"
@@ -131,16 +132,6 @@ bool budget_spent(Workshop& shop) {
   return shop.report.budget_spent;
 }
 
-/// Marks the vertices of what an operation made.
-void note_change(Workshop& shop) {
-  ++shop.serial;
-  shop.touched.resize(shop.mesh.points.size(), 0);
-  for (const TetId t : shop.made) {
-    if (!shop.mesh.alive(t)) continue;
-    for (const VertexId v : shop.mesh.tets[t]) shop.touched[v.index()] = shop.serial;
-  }
-}
-
 void note_failure(Workshop& shop, TetId t) {
   shop.tried.resize(shop.mesh.tets.size(), 0);
   shop.tried[t.index()] = ++shop.serial;
@@ -152,40 +143,26 @@ bool is_hopeless(const Workshop& shop, TetId t) {
   const std::uint32_t when = shop.tried[t.index()];
   const auto& v = shop.mesh.tets[t];
   return when > 0 && std::all_of(v.begin(), v.end(), [&](VertexId x) {
-           return x.index() >= shop.touched.size() || shop.touched[x.index()] < when;
+           return shop.unchanged_since(when, x);
          });
 }
-
-/// Which edges were met lately: the tetrahedra at an edge lie near each other in memory, so that this spares
-/// most of the four or five times that an edge is met again.
-class RecentEdges {
- public:
-  /// Whether the edge was met lately; from now on it was. An edge may be forgotten, none is made up.
-  [[nodiscard]] bool met(VertexId a, VertexId b) {
-    const std::uint64_t key = piece_key(a, b);
-    std::uint64_t& slot = keys_[(key * 0x9E3779B97F4A7C15u) >> (64 - kBits)];
-    if (slot == key) return true;
-    slot = key;
-    return false;
-  }
-
- private:
-  static constexpr int kBits = 12;
-  std::vector<std::uint64_t> keys_ = std::vector<std::uint64_t>(std::size_t{1} << kBits, UINT64_MAX);
-};
 
 /// Edges of the boundary's neighbourhood for which rank(a, b, length), a < b, has a value; lowest first.
 template <class Rank>
 std::vector<std::tuple<double, VertexId, VertexId>> boundary_edges(const WorkMesh& mesh, const Rank& rank) {
   std::vector<std::tuple<double, VertexId, VertexId>> edges;
-  RecentEdges recent;
+  // The tetrahedra at an edge lie near each other in memory, so that this spares most of the four or five
+  // times that an edge is met again.
+  constexpr int kSlotBits = 12;
+  EdgeSlots<bool> met(kSlotBits);
   for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
     const TetId t(i);
     if (!mesh.alive(t) || !touches_boundary(mesh, t)) continue;
     for (const auto& e : kTetEdge) {
       const VertexId a = std::min(mesh.tets[t][e[0]], mesh.tets[t][e[1]]);
       const VertexId b = std::max(mesh.tets[t][e[0]], mesh.tets[t][e[1]]);
-      if (recent.met(a, b)) continue;
+      if (met.find(a, b) != nullptr) continue;
+      met.set(a, b, true);
       const std::optional<double> value = rank(a, b, (mesh.points[a] - mesh.points[b]).norm());
       if (value) edges.emplace_back(*value, a, b);
     }
@@ -225,7 +202,7 @@ std::size_t improve_in_order(Workshop& shop, double goal, Observer& observer, co
       continue;
     }
     ++done;
-    note_change(shop);
+    shop.note_change();
     for (const TetId t : shop.made) look_at(t);
   }
   return done;
@@ -294,7 +271,7 @@ void relax_around(Workshop& shop, double goal, double wish) {
   for (std::size_t i = 0; i < role.size(); ++i) {
     if (role[i] == kFar) continue;
     if (budget_spent(shop)) return;
-    if (smooth_vertex(shop, VertexId(i), wish)) note_change(shop);
+    if (smooth_vertex(shop, VertexId(i), wish)) shop.note_change();
   }
 }
 

@@ -11,6 +11,7 @@
 #include "finalize/cavity.h"
 #include "finalize/collapse.h"
 #include "finalize/edge_removal.h"
+#include "finalize/edge_slots.h"
 #include "finalize/mean_smooth.h"
 #include "finalize/smooth.h"
 
@@ -174,34 +175,6 @@ bool may_swap(const Workshop& shop, TetId t, double floor, EdgeRing& ring) {
   return false;
 }
 
-/// Edges that were tried in vain, until something changes at an end of theirs: a third of those tried on a
-/// bracket had been so before, from another bad tetrahedron. An edge may be forgotten, none is made up.
-class TriedEdges {
- public:
-  explicit TriedEdges(std::size_t vertices) : changed_(vertices, 0) {}
-  [[nodiscard]] bool in_vain(VertexId a, VertexId b) {
-    const Slot& slot = slot_of(piece_key(a, b));
-    return slot.key == piece_key(a, b) && std::max(changed_[a.index()], changed_[b.index()]) < slot.when;
-  }
-  void note_vain(VertexId a, VertexId b) { slot_of(piece_key(a, b)) = {piece_key(a, b), ++serial_}; }
-  void note_change(const WorkMesh& mesh, std::span<const TetId> made) {
-    ++serial_;
-    for (const TetId t : made)
-      for (const VertexId v : mesh.tets[t]) changed_[v.index()] = serial_;
-  }
-
- private:
-  struct Slot {
-    std::uint64_t key = UINT64_MAX;
-    std::uint32_t when = 0;
-  };
-  static constexpr int kBits = 16;
-  Slot& slot_of(std::uint64_t key) { return slots_[(key * 0x9E3779B97F4A7C15u) >> (64 - kBits)]; }
-  std::vector<Slot> slots_ = std::vector<Slot>(std::size_t{1} << kBits);
-  std::vector<std::uint32_t> changed_;  ///< per vertex
-  std::uint32_t serial_ = 0;
-};
-
 bool swap_something(Workshop& shop, TetId t, double floor) {
   const auto v = shop.mesh.tets[t];
   for (int e = 0; e < 6; ++e) {
@@ -239,7 +212,9 @@ void collapse_for_mean(Workshop& shop, double floor) {
   for (std::size_t i = 0; i < mesh.tets.size(); ++i)
     if (mesh.alive(TetId(i)) && mesh.quality[TetId(i)] < kCollapseBelow) bad.emplace_back(i);
   scatter(bad);
-  TriedEdges tried(mesh.points.size());
+  // A third of the edges of a bracket had been tried in vain before, from another bad tetrahedron.
+  constexpr int kSlotBits = 16;
+  EdgeSlots<std::uint32_t> tried(kSlotBits);
   for (const TetId t : bad) {
     if (!mesh.alive(t) || mesh.quality[t] >= kCollapseBelow) continue;
     const double short_edge = kShortEdge * shop.size_at(mesh.point(t, 0));
@@ -247,12 +222,13 @@ void collapse_for_mean(Workshop& shop, double floor) {
     for (const auto& e : kTetEdge) {
       const VertexId a = v[e[0]], b = v[e[1]];
       if ((mesh.points[a] - mesh.points[b]).squaredNorm() > short_edge * short_edge) continue;
-      if (tried.in_vain(a, b)) continue;
+      const std::uint32_t* when = tried.find(a, b);
+      if (when != nullptr && shop.unchanged_since(*when, a) && shop.unchanged_since(*when, b)) continue;
       if (collapse_edge_for_mean(shop, a, b, floor) || collapse_edge_for_mean(shop, b, a, floor)) {
-        tried.note_change(mesh, shop.made);
+        shop.note_change();
         break;
       }
-      tried.note_vain(a, b);
+      tried.set(a, b, ++shop.serial);
     }
   }
 }

@@ -47,6 +47,19 @@ struct Workshop {
 
   std::chrono::steady_clock::time_point started = std::chrono::steady_clock::now();
 
+  /// Marks the vertices of what an operation made.
+  void note_change() {
+    ++serial;
+    touched.resize(mesh.points.size(), 0);
+    for (const TetId t : made) {
+      if (!mesh.alive(t)) continue;
+      for (const VertexId v : mesh.tets[t]) touched[v.index()] = serial;
+    }
+  }
+  [[nodiscard]] bool unchanged_since(std::uint32_t when, VertexId v) const {
+    return v.index() >= touched.size() || touched[v.index()] < when;
+  }
+
   [[nodiscard]] double size_at(const Vec3& p) const {
     return (coarsening ? options.coarse_size_at : options.size_at)(p);
   }

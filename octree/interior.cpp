@@ -10,12 +10,6 @@
 namespace octet {
 namespace {
 
-/// Octants that touch each other share a vertex, for the finer one's corners are all on the coarser one's
-/// lattice: flags on vertices find neighbours without searching.
-void flag_vertices(const OctreeVertices& vertices, OctantId octant, std::vector<std::uint8_t>& flags) {
-  for_each_vertex(vertices, octant, [&](std::uint32_t v) { flags[v] = 1; });
-}
-
 /// Vertices of octants off the inside: a circumsphere may reach the boundary only beyond these.
 std::vector<std::uint8_t> near_the_boundary(const Octree& tree, const OctreeVertices& vertices,
                                             const OctreeLabels& labels) {

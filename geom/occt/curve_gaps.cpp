@@ -41,7 +41,7 @@ double needed_at(const TopoDS_Shape& vertex, const TopTools_ListOfShape& edges) 
 
 }  // namespace
 
-double gap_on_face(const TopoDS_Edge& edge, const TopoDS_Face& face) {
+double curve_gap(const TopoDS_Edge& edge, const TopoDS_Face& face) {
   double t0 = 0.0, t1 = 0.0, s0 = 0.0, s1 = 0.0;
   const auto curve = BRep_Tool::Curve(edge, t0, t1);
   const auto on_face = BRep_Tool::CurveOnSurface(edge, face, s0, s1);
@@ -65,7 +65,7 @@ void lower_tolerances(const TopoDS_Shape& solid, const std::vector<TopoDS_Edge>&
   for (const TopoDS_Edge& edge : edges) {
     double needed = Precision::Confusion();
     for (const TopoDS_Shape& face : faces_at.FindFromKey(edge))
-      needed = std::max(needed, kReserve * gap_on_face(edge, TopoDS::Face(face.Oriented(TopAbs_FORWARD))));
+      needed = std::max(needed, kReserve * curve_gap(edge, TopoDS::Face(face.Oriented(TopAbs_FORWARD))));
     tolerance.SetTolerance(edge, needed, TopAbs_EDGE);
     for (const TopoDS_Vertex& v : {TopExp::FirstVertex(edge), TopExp::LastVertex(edge)}) vertices.Add(v);
   }

@@ -12,7 +12,7 @@ namespace octet {
 
 /// Largest distance (mm) of an edge's curve on a face from its curve in space at equal parameter, by samples;
 /// 0 where either is missing.
-[[nodiscard]] double gap_on_face(const TopoDS_Edge& edge, const TopoDS_Face& face);
+[[nodiscard]] double curve_gap(const TopoDS_Edge& edge, const TopoDS_Face& face);
 
 /// Gives edges of a solid, whose curves have become nearer, the tolerance that their curves need, and
 /// their vertices what the edges there need.

@@ -9,6 +9,7 @@
 #include <TopoDS.hxx>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "geom/occt/shape_measures.h"
@@ -19,6 +20,14 @@ namespace {
 /// Faces inside of a solid bound nothing.
 bool bounds(const TopoDS_Face& face) {
   return face.Orientation() == TopAbs_FORWARD || face.Orientation() == TopAbs_REVERSED;
+}
+
+/// Whether the images fill clearly less than the solid did: OCCT's integrals are per cents off on some faces.
+bool lacks_volume(const TopoDS_Shape& solid, const std::vector<TopoDS_Shape>& images) {
+  constexpr double kKept = 0.97;
+  double kept = 0.0;
+  for (const TopoDS_Shape& image : images) kept += std::abs(volume_of(image));
+  return kept < kKept * std::abs(volume_of(solid));
 }
 
 }  // namespace
@@ -42,10 +51,12 @@ std::vector<FacePiece> face_pieces(const TopoDS_Shape& solid, const BRepTools_Hi
   return pieces;
 }
 
-TopoDS_Face removed_face(const TopoDS_Shape& solid, const BRepTools_History& history, double width) {
+TopoDS_Face lost_face(const TopoDS_Shape& solid, const std::vector<TopoDS_Shape>& images,
+                      const BRepTools_History& history, double width) {
   for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next()) {
     const TopoDS_Face face = TopoDS::Face(it.Current());
-    if (bounds(face) && history.IsRemoved(face) && width_of(face) > width) return face;
+    if (bounds(face) && history.IsRemoved(face) && width_of(face) > width)
+      return lacks_volume(solid, images) ? face : TopoDS_Face();
   }
   return {};
 }

@@ -19,11 +19,11 @@ struct FacePiece {
 /// none.
 [[nodiscard]] std::vector<FacePiece> face_pieces(const TopoDS_Shape& solid, const BRepTools_History& history);
 
-/// The first face of the solid, wider than `width`, that the fuse has removed without a piece of it; null:
-/// none. Such a face may have gone by rights, into others that lie on it but for the tolerance, or with the
-/// part of the solid that it bounded.
-[[nodiscard]] TopoDS_Face removed_face(const TopoDS_Shape& solid, const BRepTools_History& history,
-                                       double width);
+/// The first face of the solid, wider than `width`, that went without a piece of it, where what became of the
+/// solid (`images`) fills clearly less than the solid did; null: none. A face may also go by rights, into
+/// others that lie on it but for the tolerance.
+[[nodiscard]] TopoDS_Face lost_face(const TopoDS_Shape& solid, const std::vector<TopoDS_Shape>& images,
+                                    const BRepTools_History& history, double width);
 
 /// The first piece that none of the images has, which are what became of the solid; null: none. A piece of
 /// several of its faces lies between these, and may bound nothing.

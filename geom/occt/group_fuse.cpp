@@ -119,14 +119,6 @@ class Owners {
 /// Twice the volume over the surface: of a plate that is its thickness.
 double thickness_of(const TopoDS_Shape& solid) { return 2.0 * std::abs(volume_of(solid)) / area_of(solid); }
 
-/// Whether the pieces fill clearly less than the solid did: OCCT's integrals are per cents off on some faces.
-bool lacks_volume(const TopoDS_Shape& solid, const std::vector<TopoDS_Shape>& pieces) {
-  constexpr double kKept = 0.97;
-  double kept = 0.0;
-  for (const TopoDS_Shape& piece : pieces) kept += std::abs(volume_of(piece));
-  return kept < kKept * std::abs(volume_of(solid));
-}
-
 /// The edges that end at each vertex.
 TopTools_IndexedDataMapOfShapeListOfShape edges_of_vertices(const std::vector<TopoDS_Shape>& shapes) {
   TopTools_IndexedDataMapOfShapeListOfShape edges;
@@ -274,8 +266,8 @@ void GroupFuse::judge_face_pieces(const std::vector<TopoDS_Shape>& solids, doubl
     slivers_ += count_slivers(pieces, thin);
     if (images_[i].empty()) continue;
     TopoDS_Face lost = lost_piece(pieces, images_[i]);
-    if (lost.IsNull()) lost = removed_face(solids[i], *history_, thin);
-    if (!lost.IsNull() && (!history_->IsRemoved(lost) || lacks_volume(solids[i], images_[i])))
+    if (lost.IsNull()) lost = lost_face(solids[i], images_[i], *history_, thin);
+    if (!lost.IsNull())
       conflicts_.push_back({{i, i}, middle_of(lost), "a part of it would be lost"});
   }
 }

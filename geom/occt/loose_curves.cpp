@@ -138,9 +138,10 @@ class Fit {
       const auto off = [&](const Vec2& uv) { return surface_->Value(uv[0], uv[1]).Distance(point); };
       Vec2 uv = foot_from(*surface_, bounds_, to_vec(point), Vec2(seed.X(), seed.Y()));
       // Where the old curve is far off its nearest point may be another: that beside the last one is tried.
-      if (const Vec2 next = foot_from(*surface_, bounds_, to_vec(point), last);
-          i > 0 && off(uv) > enough && off(next) < off(uv))
-        uv = next;
+      if (i > 0 && off(uv) > enough) {
+        const Vec2 next = foot_from(*surface_, bounds_, to_vec(point), last);
+        if (off(next) < off(uv)) uv = next;
+      }
       last = uv;
       edge_off = std::max(edge_off, off(uv));
       points->SetValue(i + 1, gp_Pnt2d(uv[0], uv[1]));
@@ -197,7 +198,7 @@ std::vector<CurveRenewed> loose_curves(const TopoDS_Face& face, double apart) {
   for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
     const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
     if (!can_be_fitted(edge, face)) continue;
-    if (const double gap = gap_on_face(edge, face); gap > apart) loose.push_back({edge, face, gap});
+    if (const double gap = curve_gap(edge, face); gap > apart) loose.push_back({edge, face, gap});
   }
   return loose;
 }
@@ -216,7 +217,7 @@ bool is_strip(const TopoDS_Face& face, const std::vector<CurveRenewed>& loose) {
 bool fit_curve(const TopoDS_Edge& edge, const TopoDS_Face& face) {
   const TopoDS_Face forward = TopoDS::Face(face.Oriented(TopAbs_FORWARD));
   if (!can_be_fitted(edge, forward)) return false;
-  const double gap = gap_on_face(edge, forward);
+  const double gap = curve_gap(edge, forward);
   return gap > Precision::Confusion() && fit_within(Precision::Confusion(), edge, forward, gap);
 }
 

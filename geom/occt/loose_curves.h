@@ -21,7 +21,8 @@ bool fit_curve(const TopoDS_Edge& edge, const TopoDS_Face& face);
 /// the face: where a file has no curves on faces OCCT's reader projects the edges, and on splines, tori and
 /// cones what it takes for good may be hundredths of a millimetre off; such a gap is then covered by the
 /// edge's tolerance, and what the curve cuts off the face is not the face. Tolerances go down with the gaps.
-/// Curves of a face that is hardly wider than they are off stay as they are: it is a strip, for others to take.
+/// Curves of a face that is hardly wider than they are off stay as they are: it is a strip, and becomes an
+/// edge by their tolerance (geom/occt/strips).
 [[nodiscard]] std::vector<CurveRenewed> fit_loose_curves(const TopoDS_Shape& solid, double apart);
 
 }  // namespace octet

@@ -47,7 +47,7 @@ bool renew(const TopoDS_Edge& edge, const TopoDS_Face& face, double gap) {
   ShapeFix_Edge fix;
   fix.FixAddPCurve(edge, face, false, Precision::Confusion());
   double t0 = 0.0, t1 = 0.0;
-  if (!BRep_Tool::CurveOnSurface(edge, face, t0, t1).IsNull() && gap_on_face(edge, face) < kBetter * gap)
+  if (!BRep_Tool::CurveOnSurface(edge, face, t0, t1).IsNull() && curve_gap(edge, face) < kBetter * gap)
     return true;
   builder.UpdateEdge(edge, old, face, Precision::Confusion());
   builder.Range(edge, face, s0, s1);
@@ -177,7 +177,7 @@ CurvesRenewed renew_misplaced_curves(const TopoDS_Shape& solid) {
     for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
       const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
       if (BRep_Tool::Degenerated(edge) || BRep_Tool::IsClosed(edge, face)) continue;
-      const double gap = gap_on_face(edge, face);
+      const double gap = curve_gap(edge, face);
       if (misplaced(edge, gap) && renew(edge, face, gap)) result.curves.push_back({edge, face, gap});
     }
     bool joined = false;

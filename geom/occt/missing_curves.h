@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Curves that edges lack, in space, on a face or at a pole, and curves on faces that are of another place.
+// Curves that edges lack, in space, on a face or at a pole, and curves on faces that are of another place or
+// run beside their edges.
 #pragma once
 
 #include <TopoDS_Edge.hxx>

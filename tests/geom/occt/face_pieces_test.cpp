@@ -47,14 +47,16 @@ TEST(FacePieces, APieceThatNoImageHasIsLost) {
   EXPECT_FALSE(lost_piece(fused.pieces(), fused.images).IsNull());
 }
 
-TEST(FacePieces, AFaceThatIsRemovedWithoutAPieceIsLostUnlessItIsNarrow) {
-  Fused fused(0.25);
-  EXPECT_TRUE(removed_face(fused.box, *fused.fuse.History(), 0.01).IsNull());
+TEST(FacePieces, AFaceThatWentIsLostWhereVolumeWentWithIt) {
+  const Fused fused(0.25);
+  EXPECT_TRUE(lost_face(fused.box, {}, BRepTools_History(), 0.01).IsNull()) << "no face went";
   const TopoDS_Face face = TopoDS::Face(TopExp_Explorer(fused.box, TopAbs_FACE).Current());
   const Handle(BRepTools_History) history = new BRepTools_History;
   history->Remove(face);
-  EXPECT_TRUE(removed_face(fused.box, *history, 0.01).IsSame(face));
-  EXPECT_TRUE(removed_face(fused.box, *history, 0.6).IsNull()) << "a square of side 1 is half of that wide";
+  EXPECT_TRUE(lost_face(fused.box, fused.images, *history, 0.01).IsNull()) << "the images fill the box";
+  const std::vector<TopoDS_Shape> one{fused.images.front()};
+  EXPECT_TRUE(lost_face(fused.box, one, *history, 0.01).IsSame(face));
+  EXPECT_TRUE(lost_face(fused.box, one, *history, 0.6).IsNull()) << "a square of side 1 is half of that wide";
 }
 
 TEST(FacePieces, SliversAreNarrowPiecesOfWideFaces) {

@@ -85,7 +85,7 @@ int make_coarse(const TopoDS_Shape& shape, double least) {
     builder.Range(edge, face, first, last);
     for (const TopoDS_Vertex& v : {TopExp::FirstVertex(edge), TopExp::LastVertex(edge)})
       builder.UpdateVertex(v, kWide);
-    coarse += gap_on_face(edge, face) > least ? 1 : 0;
+    coarse += curve_gap(edge, face) > least ? 1 : 0;
   }
   return coarse;
 }
@@ -112,7 +112,7 @@ void expect_fitted(const TopoDS_Shape& right, const TopoDS_Shape& shape) {
     EXPECT_NEAR(model.face(f).area, whole.face(f).area, 1e-5 * whole.face(f).area);
   EXPECT_GE(static_cast<int>(fit_loose_curves(shape, 1e-6).size()), coarse);
   for (const auto& [edge, face] : curved_uses(shape)) {
-    EXPECT_LT(gap_on_face(edge, face), 2e-6);
+    EXPECT_LT(curve_gap(edge, face), 2e-6);
     EXPECT_LT(BRep_Tool::Tolerance(edge), 1e-5);
     EXPECT_LT(BRep_Tool::Tolerance(TopExp::FirstVertex(edge)), 1e-5);
   }
@@ -151,13 +151,13 @@ TEST(LooseCurves, OfEdgesBesideTheirFaceStay) {
     double first = 0.0, last = 0.0;
     const auto curve = BRep_Tool::Curve(edge, first, last);
     builder.UpdateEdge(edge, Handle(Geom_Curve)::DownCast(curve->Translated(gp_Vec(0.01, 0.01, 0.0))), kWide);
-    moved += gap_on_face(edge, face) > 5e-3 ? 1 : 0;
+    moved += curve_gap(edge, face) > 5e-3 ? 1 : 0;
   }
   ASSERT_GT(moved, 0);
   for (const auto& [edge, face] : curved_uses(shape)) {
-    const double gap = gap_on_face(edge, face);
+    const double gap = curve_gap(edge, face);
     EXPECT_FALSE(fit_curve(edge, face));
-    EXPECT_EQ(gap_on_face(edge, face), gap);
+    EXPECT_EQ(curve_gap(edge, face), gap);
   }
 }
 

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the part's own faults do to a mesh, in words.
+#pragma once
+
+#include "base/fault.h"
+#include "geom/face_crossings.h"
+#include "geom/face_touches.h"
+#include "geom/model.h"
+#include "geom/wide_gaps.h"
+
+namespace octet {
+
+/// Where features were taken away it is they who leave such gaps: no mending helps.
+[[nodiscard]] Fault warning_of(const WideGap& gap, const Model& part);
+[[nodiscard]] Fault warning_of(const FaceCrossing& crossing, const Model& part);
+[[nodiscard]] Fault fault_of(const FaceTouch& touch, const Model& part);
+
+}  // namespace octet
