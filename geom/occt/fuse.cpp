@@ -149,6 +149,11 @@ class Fuser {
           fmt::format("{} solids that touch were fused with a tolerance of {:.3g} mm, for they overlap, or "
                       "miss each other, by less",
                       group.size(), fuse.tolerance()));
+    if (!fuse.as_splines().empty())
+      set_.notes.push_back(
+          fmt::format("{} of {} solids that touch were turned into splines to be fused, for as they are the "
+                      "general fuse cannot join them",
+                      fuse.as_splines().size(), group.size()));
     for (std::size_t i = 0; i < group.size(); ++i) images_[group[i]] = fuse.images()[i];
     changed_ = changed_ || fuse.history()->HasModified() || fuse.history()->HasRemoved();
     set_.history->Merge(fuse.history());

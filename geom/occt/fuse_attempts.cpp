@@ -3,15 +3,20 @@
 #include "geom/occt/fuse_attempts.h"
 
 #include <Bnd_Box.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Edge.hxx>
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <set>
 #include <tuple>
 
 #include "geom/occt/contact_circle.h"
 #include "geom/occt/shape_box.h"
+#include "geom/occt/spline_solids.h"
 #include "geom/tiny_features.h"
 
 namespace octet {
@@ -27,6 +32,8 @@ constexpr std::array<Step, 6> kSteps{
     {{0.0, 1e-5}, {1e-8, 1e-5}, {1e-7, 1e-5}, {1e-6, 1e-5}, {4e-6, 3e-5}, {1e-5, 5e-5}}};
 /// Of a part with more pairs at odds than this no pair is fused by itself.
 constexpr std::size_t kMostPairs = 40;
+/// Of splines, which nothing else joins, edges may end this share of their length from their vertices.
+constexpr double kTear = 0.01;
 
 double diagonal_of_all(const std::vector<TopoDS_Shape>& solids) {
   Bnd_Box all;
@@ -55,20 +62,60 @@ std::set<Pair> blamed_pairs(const std::vector<TopoDS_Shape>& solids,
   return pairs;
 }
 
-/// Pairs that no tolerance joins, though they are fused by themselves: without either nothing is wrong there.
-std::vector<FuseConflict> pairs_at_odds(const std::vector<TopoDS_Shape>& solids,
-                                        const std::vector<FuseConflict>& conflicts, double noise) {
+/// What came of two solids that were fused by themselves.
+struct PairFuse {
+  FuseConflict conflict;             ///< what is wrong with them in the group, or by themselves
+  bool joined;                       ///< whether anything joins them
+  double tolerance;                  ///< with which
+  std::set<std::size_t> as_splines;  ///< those of them that must be splines for it
+};
+
+/// The first that names both, or the first.
+const FuseConflict& first_between(const Pair& pair, const std::vector<FuseConflict>& conflicts) {
+  const auto names_both = [&](const FuseConflict& conflict) {
+    return std::minmax(conflict.solids[0], conflict.solids[1]) == std::minmax(pair[0], pair[1]);
+  };
+  const auto found = std::find_if(conflicts.begin(), conflicts.end(), names_both);
+  return found != conflicts.end() ? *found : conflicts.front();
+}
+
+/// Without any of them nothing is wrong there.
+std::vector<PairFuse> fuse_pairs(const std::vector<TopoDS_Shape>& solids,
+                                 const std::vector<FuseConflict>& conflicts, double noise) {
   const std::set<Pair> pairs = blamed_pairs(solids, conflicts);
-  std::vector<FuseConflict> found;
+  std::vector<PairFuse> found;
   if (pairs.size() > kMostPairs) return found;
   for (const Pair& pair : pairs) {
     const auto fuse = best_fuse({solids[pair[0]], solids[pair[1]]}, noise);
-    if (fuse->failed())
-      found.push_back({pair, middle_of(solids[pair[0]]), "the general fuse failed"});
-    else if (!fuse->sound())
-      found.push_back({pair, fuse->conflicts().front().place, fuse->conflicts().front().cause});
+    PairFuse of{
+        {pair, middle_of(solids[pair[0]]), "the general fuse failed"}, fuse->sound(), fuse->tolerance(), {}};
+    if (!fuse->failed()) {
+      const FuseConflict& of_both =
+          fuse->sound() ? first_between(pair, conflicts) : fuse->conflicts().front();
+      of.conflict = {pair, of_both.place, of_both.cause};
+    }
+    for (const std::size_t i : fuse->as_splines()) of.as_splines.insert(pair[i]);
+    found.push_back(std::move(of));
   }
   return found;
+}
+
+/// How many conflicts name one of these solids.
+std::size_t count_of(const std::set<std::size_t>& solids, const std::vector<FuseConflict>& conflicts) {
+  return static_cast<std::size_t>(
+      std::count_if(conflicts.begin(), conflicts.end(), [&](const FuseConflict& conflict) {
+        return solids.contains(conflict.solids[0]) || solids.contains(conflict.solids[1]);
+      }));
+}
+
+/// Whether what became of the two has an edge in common.
+bool have_common_edges(const GroupFuse& fuse, const Pair& pair) {
+  TopTools_IndexedMapOfShape of_first;
+  for (const TopoDS_Shape& image : fuse.images()[pair[0]]) TopExp::MapShapes(image, TopAbs_EDGE, of_first);
+  for (const TopoDS_Shape& image : fuse.images()[pair[1]])
+    for (TopExp_Explorer it(image, TopAbs_EDGE); it.More(); it.Next())
+      if (of_first.Contains(it.Current())) return true;
+  return false;
 }
 
 class Attempts {
@@ -88,8 +135,9 @@ class Attempts {
       if (best_ && is_clean_but_for_gaps() && tolerance < best_->near().narrowest) continue;
       if (!attempt(contacts_, tolerance) && !contacts_.empty()) attempt({}, tolerance);
       if (is_clean_but_for_gaps() && best_->near().count == 0) break;
-      if (tolerance == 0.0 && is_hopeless()) break;
+      if (tolerance == 0.0 && !pairs_give_hope()) break;
     }
+    if (solids_.size() == 2 && !best_->sound()) try_splines();
     return std::move(best_);
   }
 
@@ -114,12 +162,54 @@ class Attempts {
     return {of.failed(), of.conflicts().size(), of.thin_pieces() + of.near().count, of.slivers()};
   }
 
-  /// Whether some of the solids cannot be joined by themselves; then they are what is told of the group.
-  bool is_hopeless() {
-    if (best_->sound() || best_->failed() || solids_.size() < 3) return false;
-    std::vector<FuseConflict> odds = pairs_at_odds(solids_, best_->conflicts(), noise_);
-    if (odds.empty()) return false;
-    best_->blame(std::move(odds));
+  /// Fuses solids at odds by themselves. False where some of them cannot be joined so, or not as splines
+  /// among the others, which then are what is told of the group; or where the group is joined with them as
+  /// splines.
+  bool pairs_give_hope() {
+    if (best_->sound() || best_->failed() || solids_.size() < 3) return true;
+    std::vector<FuseConflict> at_odds;
+    std::set<std::size_t> which;
+    std::vector<Pair> joined_so;
+    double tolerance = 0.0;
+    std::size_t most = 0;
+    FuseConflict worst;
+    for (const PairFuse& pair : fuse_pairs(solids_, best_->conflicts(), noise_)) {
+      tolerance = std::max(tolerance, pair.tolerance);
+      if (!pair.joined) at_odds.push_back(pair.conflict);
+      if (pair.as_splines.empty()) continue;
+      which.insert(pair.as_splines.begin(), pair.as_splines.end());
+      joined_so.push_back(pair.conflict.solids);
+      const std::size_t count = count_of(pair.as_splines, best_->conflicts());
+      if (count < most) continue;
+      most = count;
+      worst = pair.conflict;
+    }
+    if (at_odds.empty() && which.empty()) return true;
+    if (at_odds.empty()) {
+      const bool worth_it = 2 * count_of(which, best_->conflicts()) >= best_->conflicts().size();
+      if (worth_it && attempt_as_splines({which.begin(), which.end()}, joined_so, tolerance)) return false;
+      at_odds.push_back(worst);
+    }
+    best_->blame(std::move(at_odds));
+    return false;
+  }
+
+  void try_splines() {
+    for (const std::vector<std::size_t>& which : {std::vector<std::size_t>{0}, {1}, {0, 1}})
+      if (attempt_as_splines(which, {{0, 1}}, 0.0)) return;
+  }
+
+  // Solids at odds meet: a fuse in which they have nothing in common has missed it.
+  bool attempt_as_splines(const std::vector<std::size_t>& which, const std::vector<Pair>& at_odds,
+                          double tolerance) {
+    const std::optional<SplineSolids> splines = as_splines(solids_, which);
+    if (!splines) return false;
+    auto fuse =
+        std::make_unique<GroupFuse>(splines->solids, std::vector<TopoDS_Edge>(), tolerance, thin_, kTear);
+    fuse->began_with(splines->history, which);
+    const auto joins = [&](const Pair& pair) { return have_common_edges(*fuse, pair); };
+    if (!fuse->sound() || !std::all_of(at_odds.begin(), at_odds.end(), joins)) return false;
+    best_ = std::move(fuse);
     return true;
   }
 

@@ -13,7 +13,9 @@ namespace octet {
 /// The first fuse, by ascending tolerance, without conflicts, thin pieces, gaps and slivers; where none is,
 /// that with the fewest. Circles of contact are left away where the fuse gets worse by them. Of more than two
 /// solids whose first fuse has conflicts, those at odds are fused by themselves, two at a time, which costs
-/// less than the whole group: where no tolerance joins the two, none is tried on the group.
+/// less than the whole group: where nothing joins the two, nothing is tried on the group. Two that no
+/// tolerance joins are fused with one, the other or both as splines (geom/occt/spline_solids), and where that
+/// joins them so is the group.
 /// `noise` (mm): a tolerance, too, where it is more than what is tried else, and what is thinner counts as
 /// thin.
 [[nodiscard]] std::unique_ptr<GroupFuse> best_fuse(const std::vector<TopoDS_Shape>& solids, double noise);

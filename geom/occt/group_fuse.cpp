@@ -154,7 +154,7 @@ std::vector<TopoDS_Edge> contacts_of(const std::vector<TopoDS_Shape>& solids, do
 }
 
 GroupFuse::GroupFuse(const std::vector<TopoDS_Shape>& solids, const std::vector<TopoDS_Edge>& contacts,
-                     double tolerance, double thin)
+                     double tolerance, double thin, double tear)
     : tolerance_(tolerance) {
   for (const TopoDS_Shape& solid : solids) builder_.AddArgument(solid);
   for (const TopoDS_Edge& circle : contacts) builder_.AddArgument(circle);
@@ -172,9 +172,16 @@ GroupFuse::GroupFuse(const std::vector<TopoDS_Shape>& solids, const std::vector<
   find_near_faces(tolerance > thin ? kFartherApart * tolerance : thin);
   find_pieces(solids);
   judge_face_pieces(solids, thin);
-  find_torn_edges(solids, thin);
+  find_torn_edges(solids, thin, tear);
   for (const HalfCut& cut : half_cuts(images_))
     conflicts_.push_back({cut.solids, cut.place, "they overlap, and their faces are cut in part only"});
+}
+
+void GroupFuse::began_with(const Handle(BRepTools_History) & before, std::vector<std::size_t> as_splines) {
+  as_splines_ = std::move(as_splines);
+  if (failed_) return;
+  before->Merge(history_);
+  history_ = before;
 }
 
 std::vector<std::string> GroupFuse::warnings() const {
@@ -267,13 +274,12 @@ void GroupFuse::judge_face_pieces(const std::vector<TopoDS_Shape>& solids, doubl
     if (images_[i].empty()) continue;
     TopoDS_Face lost = lost_piece(pieces, images_[i]);
     if (lost.IsNull()) lost = lost_face(solids[i], images_[i], *history_, thin);
-    if (!lost.IsNull())
-      conflicts_.push_back({{i, i}, middle_of(lost), "a part of it would be lost"});
+    if (!lost.IsNull()) conflicts_.push_back({{i, i}, middle_of(lost), "a part of it would be lost"});
   }
 }
 
 // The fuse's own vertices may have a tolerance that covers any gap; those of the solids tell what is usual.
-void GroupFuse::find_torn_edges(const std::vector<TopoDS_Shape>& solids, double thin) {
+void GroupFuse::find_torn_edges(const std::vector<TopoDS_Shape>& solids, double thin, double tear) {
   TopTools_IndexedMapOfShape before;
   std::vector<double> near;
   for (const TopoDS_Shape& solid : solids) {
@@ -284,7 +290,7 @@ void GroupFuse::find_torn_edges(const std::vector<TopoDS_Shape>& solids, double 
   for (std::size_t k = 0; k < edges.size(); ++k) {
     const TopoDS_Edge& edge = TopoDS::Edge(edges.shape(k));
     const std::size_t first = edges.of(k).front(), last = edges.of(k).back();
-    if (before.Contains(edge) || !is_torn(edge, std::max(near[first], near[last]))) continue;
+    if (before.Contains(edge) || !is_torn(edge, std::max(near[first], near[last]), tear)) continue;
     conflicts_.push_back({{first, last}, middle_of(edge), "an edge would end elsewhere than its vertex is"});
   }
 }

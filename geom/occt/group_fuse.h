@@ -33,8 +33,9 @@ class GroupFuse {
  public:
   /// `contacts` take part in the fuse. `thin`: what two solids fill together, what one of them fills
   /// beside that, what is cut off a face, or what parts their faces, is noise when it is thinner than this.
+  /// `tear`: edges may end this share of their length from their vertices.
   GroupFuse(const std::vector<TopoDS_Shape>& solids, const std::vector<TopoDS_Edge>& contacts,
-            double tolerance, double thin);
+            double tolerance, double thin, double tear = 0.0);
 
   [[nodiscard]] bool failed() const { return failed_; }
   [[nodiscard]] bool sound() const { return !failed_ && conflicts_.empty(); }
@@ -42,6 +43,10 @@ class GroupFuse {
   /// faces of others inside of one, pieces of a line along which two touch, faces that another solid cuts in
   /// part only, edges that end elsewhere than their vertices are.
   [[nodiscard]] const std::vector<FuseConflict>& conflicts() const { return conflicts_; }
+  /// Those of the group (indices) that were turned into splines before the fuse (geom/occt/spline_solids).
+  [[nodiscard]] const std::vector<std::size_t>& as_splines() const { return as_splines_; }
+  /// The fuse was not of the group's solids but of what `before` made of them, splines of some.
+  void began_with(const Handle(BRepTools_History) & before, std::vector<std::size_t> as_splines);
   /// Takes these for the conflicts: of solids that are at odds by themselves, too.
   void blame(std::vector<FuseConflict> conflicts) { conflicts_ = std::move(conflicts); }
   /// Thin overlaps, and thin parts of solids that overlap others with the rest.
@@ -64,7 +69,7 @@ class GroupFuse {
   void count_thin_pieces(double thin);
   void find_near_faces(double thin);
   void find_pieces(const std::vector<TopoDS_Shape>& solids);
-  void find_torn_edges(const std::vector<TopoDS_Shape>& solids, double thin);
+  void find_torn_edges(const std::vector<TopoDS_Shape>& solids, double thin, double tear);
   void judge_face_pieces(const std::vector<TopoDS_Shape>& solids, double thin);
 
   double tolerance_;
@@ -74,6 +79,7 @@ class GroupFuse {
   std::vector<std::vector<TopoDS_Shape>> images_;
   std::vector<FuseConflict> conflicts_;
   int thin_pieces_ = 0, slivers_ = 0;
+  std::vector<std::size_t> as_splines_;
   NearFaces near_;
 };
 

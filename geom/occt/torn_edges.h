@@ -6,7 +6,8 @@
 
 namespace octet {
 
-/// Whether an edge ends farther than `near` from its vertex there: the loops that it is in are open.
-[[nodiscard]] bool is_torn(const TopoDS_Edge& edge, double near);
+/// Whether an edge ends farther than `near` (mm), and than `share` of the distance between its ends, from its
+/// vertex there: the loops that it is in are open.
+[[nodiscard]] bool is_torn(const TopoDS_Edge& edge, double near, double share = 0.0);
 
 }  // namespace octet

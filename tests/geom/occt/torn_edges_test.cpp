@@ -34,6 +34,8 @@ TEST(TornEdges, AnEdgeEndsWhereItsVerticesAre) {
   EXPECT_TRUE(is_torn(edge_between(0.25, 1.0), 0.1)) << "the first";
   EXPECT_TRUE(is_torn(edge_between(0.0, 1.25), 0.1)) << "the last";
   EXPECT_FALSE(is_torn(edge_between(0.25, 1.25), 0.3)) << "no farther than allowed";
+  EXPECT_FALSE(is_torn(edge_between(0.25, 1.0), 0.1, 0.3)) << "nor than the share of its length";
+  EXPECT_TRUE(is_torn(edge_between(0.25, 1.0), 0.1, 0.2));
 }
 
 TEST(TornEdges, AnEdgeTurnedRoundIsTheSame) {

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// OCCT's conversion, where it is exact, with curves on faces that are judged and, where need be, fitted.
+#include "geom/occt/spline_solids.h"
+
+#include <BRepAdaptor_Surface.hxx>
+#include <BRepBuilderAPI_NurbsConvert.hxx>
+#include <BRep_Tool.hxx>
+#include <Standard_Failure.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <algorithm>
+
+#include "geom/occt/curve_gaps.h"
+#include "geom/occt/gathered.h"
+#include "geom/occt/loose_curves.h"
+#include "geom/occt/shape_box.h"
+#include "geom/occt/sub_shapes.h"
+#include "geom/tiny_features.h"
+
+namespace octet {
+namespace {
+
+/// A fuse of splines takes some ten times as long as one of planes and cylinders.
+constexpr int kMostFaces = 600;
+/// Edges may have a tolerance this many times as wide as before.
+constexpr double kWider = 2.0;
+
+bool converts_exactly(const TopoDS_Shape& shape) {
+  for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next()) {
+    const GeomAbs_SurfaceType type = BRepAdaptor_Surface(TopoDS::Face(it.Current()), false).GetType();
+    if (type == GeomAbs_OffsetSurface || type == GeomAbs_OtherSurface) return false;
+  }
+  return true;
+}
+
+double widest_gap(const TopoDS_Shape& shape) {
+  double widest = 0.0;
+  for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next())
+    for (TopExp_Explorer edge(face.Current(), TopAbs_EDGE); edge.More(); edge.Next())
+      widest = std::max(widest, curve_gap(TopoDS::Edge(edge.Current()), TopoDS::Face(face.Current())));
+  return widest;
+}
+
+}  // namespace
+
+std::optional<SplineSolids> as_splines(const std::vector<TopoDS_Shape>& solids,
+                                       const std::vector<std::size_t>& which) {
+  std::vector<TopoDS_Shape> chosen;
+  for (const std::size_t i : which) chosen.push_back(solids[i]);
+  const TopoDS_Shape before = compound_of(chosen);
+  if (sub_shapes(before, TopAbs_FACE).Extent() > kMostFaces || !converts_exactly(before)) return std::nullopt;
+  SplineSolids result{solids, new BRepTools_History()};
+  try {
+    BRepBuilderAPI_NurbsConvert convert(before);
+    if (!convert.IsDone()) return std::nullopt;
+    for (const std::size_t i : which) result.solids[i] = convert.ModifiedShape(solids[i]);
+    TopTools_IndexedMapOfShape of_others;
+    for (std::size_t i = 0; i < solids.size(); ++i)
+      if (std::find(which.begin(), which.end(), i) == which.end()) TopExp::MapShapes(solids[i], of_others);
+    for (const TopAbs_ShapeEnum type : {TopAbs_SOLID, TopAbs_FACE, TopAbs_EDGE, TopAbs_VERTEX}) {
+      const TopTools_IndexedMapOfShape shapes = sub_shapes(before, type);
+      for (int i = 1; i <= shapes.Extent(); ++i) {
+        const TopoDS_Shape& shape = shapes(i);
+        const TopoDS_Shape made = convert.ModifiedShape(shape);
+        if (made.IsSame(shape)) continue;
+        if (of_others.Contains(shape)) result.history->AddModified(shape, shape);
+        result.history->AddModified(shape, made);
+      }
+    }
+  } catch (const Standard_Failure&) {
+    return std::nullopt;
+  }
+  double allowed = 0.0;
+  for (const std::size_t i : which) {
+    const double noise = kRoundingShare * diagonal_of(box_of(solids[i]));
+    static_cast<void>(fit_loose_curves(result.solids[i], noise));
+    allowed = std::max({allowed, noise, kWider * BRep_Tool::MaxTolerance(solids[i], TopAbs_EDGE)});
+  }
+  for (const std::size_t i : which)
+    if (widest_gap(result.solids[i]) > allowed) return std::nullopt;
+  return result;
+}
+
+}  // namespace octet
