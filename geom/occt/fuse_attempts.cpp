@@ -9,13 +9,16 @@
 #include <TopoDS_Edge.hxx>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <set>
 #include <tuple>
+#include <utility>
 
 #include "geom/occt/contact_circle.h"
 #include "geom/occt/shape_box.h"
+#include "geom/occt/shape_measures.h"
 #include "geom/occt/spline_solids.h"
 #include "geom/tiny_features.h"
 
@@ -32,6 +35,10 @@ constexpr std::array<Step, 6> kSteps{
     {{0.0, 1e-5}, {1e-8, 1e-5}, {1e-7, 1e-5}, {1e-6, 1e-5}, {4e-6, 3e-5}, {1e-5, 5e-5}}};
 /// Of a part with more pairs at odds than this no pair is fused by itself.
 constexpr std::size_t kMostPairs = 40;
+/// So many of a group are tried as splines each by itself, before all that are at odds.
+constexpr std::size_t kMostAlone = 3;
+/// The pieces of a solid that was fused as splines have its volume to this share of it.
+constexpr double kVolumeShare = 1e-3;
 /// Of splines, which nothing else joins, edges may end this share of their length from their vertices.
 constexpr double kTear = 0.01;
 
@@ -118,6 +125,13 @@ bool have_common_edges(const GroupFuse& fuse, const Pair& pair) {
   return false;
 }
 
+bool keeps_volume(const TopoDS_Shape& solid, const std::vector<TopoDS_Shape>& images) {
+  const double before = refined_volume_of(solid);
+  double after = 0.0;
+  for (const TopoDS_Shape& image : images) after += refined_volume_of(image);
+  return std::abs(after - before) <= kVolumeShare * std::abs(before);
+}
+
 class Attempts {
  public:
   Attempts(const std::vector<TopoDS_Shape>& solids, double noise)
@@ -135,9 +149,9 @@ class Attempts {
       if (best_ && is_clean_but_for_gaps() && tolerance < best_->near().narrowest) continue;
       if (!attempt(contacts_, tolerance) && !contacts_.empty()) attempt({}, tolerance);
       if (is_clean_but_for_gaps() && best_->near().count == 0) break;
-      if (tolerance == 0.0 && !pairs_give_hope()) break;
+      if (tolerance == 0.0 && !pairs_give_hope()) return std::move(best_);
     }
-    if (solids_.size() == 2 && !best_->sound()) try_splines();
+    if (!best_->sound()) try_splines();
     return std::move(best_);
   }
 
@@ -195,8 +209,27 @@ class Attempts {
   }
 
   void try_splines() {
-    for (const std::vector<std::size_t>& which : {std::vector<std::size_t>{0}, {1}, {0, 1}})
-      if (attempt_as_splines(which, {{0, 1}}, 0.0)) return;
+    const std::vector<std::size_t> blamed = most_blamed();
+    std::vector<std::vector<std::size_t>> choices;
+    for (std::size_t i = 0; i < std::min(blamed.size(), kMostAlone); ++i) choices.push_back({blamed[i]});
+    if (blamed.size() > 1) choices.push_back(blamed);
+    const std::set<Pair> pairs = blamed_pairs(solids_, best_->conflicts());
+    for (const std::vector<std::size_t>& which : choices)
+      if (attempt_as_splines(which, {pairs.begin(), pairs.end()}, 0.0)) return;
+  }
+
+  /// The solids that conflicts name, those that most do first; both of two.
+  [[nodiscard]] std::vector<std::size_t> most_blamed() const {
+    if (solids_.size() == 2) return {0, 1};
+    std::vector<std::pair<std::size_t, std::size_t>> counts;
+    for (std::size_t i = 0; i < solids_.size(); ++i)
+      counts.emplace_back(count_of({i}, best_->conflicts()), i);
+    std::erase_if(counts, [](const auto& of) { return of.first == 0; });
+    std::stable_sort(counts.begin(), counts.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::vector<std::size_t> solids;
+    for (const auto& [count, i] : counts) solids.push_back(i);
+    return solids;
   }
 
   // Solids at odds meet: a fuse in which they have nothing in common has missed it.
@@ -209,6 +242,8 @@ class Attempts {
     fuse->began_with(splines->history, which);
     const auto joins = [&](const Pair& pair) { return have_common_edges(*fuse, pair); };
     if (!fuse->sound() || !std::all_of(at_odds.begin(), at_odds.end(), joins)) return false;
+    for (const std::size_t i : which)
+      if (!keeps_volume(solids_[i], fuse->images()[i])) return false;
     best_ = std::move(fuse);
     return true;
   }
