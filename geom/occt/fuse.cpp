@@ -17,6 +17,7 @@
 #include "geom/occt/edge_uses.h"
 #include "geom/occt/fuse_attempts.h"
 #include "geom/occt/group_fuse.h"
+#include "geom/occt/late_fuse.h"
 #include "geom/occt/shape_box.h"
 #include "geom/occt/sub_shapes.h"
 #include "geom/tiny_features.h"
@@ -25,6 +26,9 @@ namespace octet {
 namespace {
 
 using Group = std::vector<std::size_t>;  ///< indices of solids, ascending
+
+/// So many solids that groups were fused without are tried in the end.
+constexpr int kMostLate = 6;
 
 /// Groups of at least two solids that hang together by boxes that meet, or are parted by noise.
 std::vector<Group> touching_groups(const std::vector<TopoDS_Shape>& solids, double noise,
@@ -97,12 +101,15 @@ class Fuser {
         is_apart_(set.solids.size(), false),
         images_(set.solids.size()) {
     for (const KeptApart& kept : apart) is_apart_[kept.solid] = true;
+    for (const KeptApart& kept : apart)
+      if (kept.late) late_.push_back(kept.solid);
     for (std::size_t i = 0; i < images_.size(); ++i) images_[i] = {set.solids[i]};
   }
 
   void run() {
     keep_open_ones_apart();
     for (const Group& group : touching_groups(set_.solids, noise_, is_apart_)) fuse(group);
+    for (const std::size_t i : late_) join_late(i);
     copy_those_apart();
     collect();
   }
@@ -124,7 +131,7 @@ class Fuser {
     while (group.size() > 1) {
       std::vector<TopoDS_Shape> solids;
       for (const std::size_t i : group) solids.push_back(set_.solids[i]);
-      const std::shared_ptr<const GroupFuse> fuse = fuse_of(solids);
+      const auto fuse = fuse_of(solids, false, [&] { return best_fuse(solids, noise_); });
       if (fuse->sound()) {
         accept(group, *fuse);
         return;
@@ -133,13 +140,16 @@ class Fuser {
     }
   }
 
-  std::shared_ptr<const GroupFuse> fuse_of(const std::vector<TopoDS_Shape>& solids) {
+  /// What is known of these solids, else what `make` makes of them.
+  template <class Make>
+  std::shared_ptr<const GroupFuse> fuse_of(const std::vector<TopoDS_Shape>& solids, bool late,
+                                           const Make& make) {
     const auto same = [](const TopoDS_Shape& a, const TopoDS_Shape& b) { return a.IsEqual(b); };
     const auto known = std::find_if(done_.begin(), done_.end(), [&](const DoneFuse& done) {
-      return std::equal(solids.begin(), solids.end(), done.solids.begin(), done.solids.end(), same);
+      return done.late == late &&
+             std::equal(solids.begin(), solids.end(), done.solids.begin(), done.solids.end(), same);
     });
-    return known != done_.end() ? known->fuse
-                                : done_.emplace_back(DoneFuse{solids, best_fuse(solids, noise_)}).fuse;
+    return known != done_.end() ? known->fuse : done_.emplace_back(DoneFuse{solids, late, make()}).fuse;
   }
 
   void accept(const Group& group, const GroupFuse& fuse) {
@@ -159,6 +169,61 @@ class Fuser {
     set_.history->Merge(fuse.history());
   }
 
+  /// Fuses a solid that was left apart with what has become of those near it.
+  void join_late(std::size_t late) {
+    KeptApart& kept =
+        *std::find_if(apart_.begin(), apart_.end(), [&](const KeptApart& one) { return one.solid == late; });
+    kept.late = late_tried_++ < kMostLate && joins_late(late, kept.other);
+    is_apart_[late] = !kept.late;
+  }
+
+  bool joins_late(std::size_t late, std::size_t at_odds_with) {
+    Bnd_Box box = box_of(set_.solids[late]);
+    box.Enlarge(std::max(noise_, kRoundingShare * diagonal_of(box)));
+    LateGroup group{set_.solids[late], {}, {}, {}};
+    TopTools_IndexedMapOfShape near;
+    for (std::size_t i = 0; i < images_.size(); ++i)
+      for (const TopoDS_Shape& image : images_[i]) {
+        if (is_apart_[i]) continue;
+        if (box.IsOut(box_of(image)))
+          group.others.push_back(image);
+        else
+          near.Add(image);
+      }
+    if (near.IsEmpty()) return true;
+    group.near.assign(near.cbegin(), near.cend());
+    for (const TopoDS_Shape& image : images_[at_odds_with])
+      if (const int index = near.FindIndex(image); index > 0)
+        group.at_odds.push_back(static_cast<std::size_t>(index) - 1);
+    std::vector<TopoDS_Shape> solids = group.near;
+    solids.push_back(group.late);
+    const auto fuse = fuse_of(solids, true, [&] { return late_fuse(group, noise_); });
+    if (fuse) accept_late(near, late, *fuse);
+    return fuse != nullptr;
+  }
+
+  void accept_late(const TopTools_IndexedMapOfShape& near, std::size_t late, const GroupFuse& fuse) {
+    Followers followers(fuse.history());
+    for (std::size_t i = 0; i < images_.size(); ++i) {
+      if (is_apart_[i]) continue;
+      std::vector<TopoDS_Shape> now;
+      for (const TopoDS_Shape& image : images_[i])
+        if (const int index = near.FindIndex(image); index > 0) {
+          const std::vector<TopoDS_Shape>& made = fuse.images()[static_cast<std::size_t>(index) - 1];
+          now.insert(now.end(), made.begin(), made.end());
+        } else {
+          now.push_back(followers.follow(image));
+        }
+      images_[i] = std::move(now);
+    }
+    images_[late] = fuse.images().back();
+    set_.history->Merge(fuse.history());
+    set_.history->Merge(followers.history());
+    set_.notes.push_back(
+        "a solid that could not be fused with all others at once was fused with what had become of them");
+    changed_ = true;
+  }
+
   void leave_apart(const GroupFuse& fuse, Group& group) {
     std::vector<double> sizes;
     for (const std::size_t i : group) sizes.push_back(diagonal_of(box_of(set_.solids[i])));
@@ -170,6 +235,7 @@ class Fuser {
       const std::size_t other = conflict.solids[conflict.solids[0] == i ? 1 : 0];
       apart_.push_back({group[i], group[other], conflict.place, conflict.cause});
       is_apart_[group[i]] = true;
+      if (!fuse.failed()) late_.push_back(group[i]);
     }
     std::erase_if(group, [&](std::size_t i) { return is_apart_[i]; });
   }
@@ -220,7 +286,9 @@ class Fuser {
   std::vector<DoneFuse>& done_;
   std::vector<bool> is_apart_;
   std::vector<std::vector<TopoDS_Shape>> images_;  ///< by index of the set
-  bool changed_ = false;                           ///< whether any fuse changed anything
+  Group late_;                                     ///< left apart, to be joined in the end
+  int late_tried_ = 0;
+  bool changed_ = false;  ///< whether any fuse changed anything
 };
 
 }  // namespace

@@ -3,13 +3,9 @@
 #include "geom/occt/fuse_attempts.h"
 
 #include <Bnd_Box.hxx>
-#include <TopExp.hxx>
-#include <TopExp_Explorer.hxx>
-#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Edge.hxx>
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <set>
@@ -18,7 +14,6 @@
 
 #include "geom/occt/contact_circle.h"
 #include "geom/occt/shape_box.h"
-#include "geom/occt/shape_measures.h"
 #include "geom/occt/spline_solids.h"
 #include "geom/tiny_features.h"
 
@@ -37,10 +32,6 @@ constexpr std::array<Step, 6> kSteps{
 constexpr std::size_t kMostPairs = 40;
 /// So many of a group are tried as splines each by itself, before all that are at odds.
 constexpr std::size_t kMostAlone = 3;
-/// The pieces of a solid that was fused as splines have its volume to this share of it.
-constexpr double kVolumeShare = 1e-3;
-/// Of splines, which nothing else joins, edges may end this share of their length from their vertices.
-constexpr double kTear = 0.01;
 
 double diagonal_of_all(const std::vector<TopoDS_Shape>& solids) {
   Bnd_Box all;
@@ -115,23 +106,6 @@ std::size_t count_of(const std::set<std::size_t>& solids, const std::vector<Fuse
       }));
 }
 
-/// Whether what became of the two has an edge in common.
-bool have_common_edges(const GroupFuse& fuse, const Pair& pair) {
-  TopTools_IndexedMapOfShape of_first;
-  for (const TopoDS_Shape& image : fuse.images()[pair[0]]) TopExp::MapShapes(image, TopAbs_EDGE, of_first);
-  for (const TopoDS_Shape& image : fuse.images()[pair[1]])
-    for (TopExp_Explorer it(image, TopAbs_EDGE); it.More(); it.Next())
-      if (of_first.Contains(it.Current())) return true;
-  return false;
-}
-
-bool keeps_volume(const TopoDS_Shape& solid, const std::vector<TopoDS_Shape>& images) {
-  const double before = refined_volume_of(solid);
-  double after = 0.0;
-  for (const TopoDS_Shape& image : images) after += refined_volume_of(image);
-  return std::abs(after - before) <= kVolumeShare * std::abs(before);
-}
-
 class Attempts {
  public:
   Attempts(const std::vector<TopoDS_Shape>& solids, double noise)
@@ -148,7 +122,7 @@ class Attempts {
       last = tolerance;
       if (best_ && is_clean_but_for_gaps() && tolerance < best_->near().narrowest) continue;
       if (!attempt(contacts_, tolerance) && !contacts_.empty()) attempt({}, tolerance);
-      if (is_clean_but_for_gaps() && best_->near().count == 0) break;
+      if (is_clean(*best_)) break;
       if (tolerance == 0.0 && !pairs_give_hope()) return std::move(best_);
     }
     if (!best_->sound()) try_splines();
@@ -167,6 +141,7 @@ class Attempts {
     return all;
   }
 
+  [[nodiscard]] static bool is_clean(const GroupFuse& fuse) { return badness(fuse) == Badness{}; }
   [[nodiscard]] bool is_clean_but_for_gaps() const {
     return best_->sound() && best_->thin_pieces() + best_->slivers() == 0;
   }
@@ -232,26 +207,46 @@ class Attempts {
     return solids;
   }
 
-  // Solids at odds meet: a fuse in which they have nothing in common has missed it.
+  /// With `tolerance`, and with more up to noise where something thin, gaps or slivers are left. What is left
+  /// of these counts for nothing in two solids that nothing else joins; in a group there is another way,
+  /// for it can be fused without the solid to blame, and that with what becomes of the others.
   bool attempt_as_splines(const std::vector<std::size_t>& which, const std::vector<Pair>& at_odds,
                           double tolerance) {
     const std::optional<SplineSolids> splines = as_splines(solids_, which);
     if (!splines) return false;
-    auto fuse =
-        std::make_unique<GroupFuse>(splines->solids, std::vector<TopoDS_Edge>(), tolerance, thin_, kTear);
-    fuse->began_with(splines->history, which);
-    const auto joins = [&](const Pair& pair) { return have_common_edges(*fuse, pair); };
-    if (!fuse->sound() || !std::all_of(at_odds.begin(), at_odds.end(), joins)) return false;
-    for (const std::size_t i : which)
-      if (!keeps_volume(solids_[i], fuse->images()[i])) return false;
-    best_ = std::move(fuse);
+    std::unique_ptr<GroupFuse> best;
+    double last = -1.0;
+    for (const double step : tolerances()) {
+      const double more = std::max(step, tolerance);
+      if (more <= last || (best && more > thin_)) continue;
+      last = more;
+      auto fuse = std::make_unique<GroupFuse>(splines->solids, std::vector<TopoDS_Edge>(), more, thin_,
+                                              kTearOfSplines);
+      fuse->began_with(splines->history, which);
+      if (!joins(*fuse, which, at_odds)) break;
+      if (!best || badness(*fuse) < badness(*best)) best = std::move(fuse);
+      if (is_clean(*best)) break;
+    }
+    if (!best || (solids_.size() > 2 && !is_clean(*best))) return false;
+    best_ = std::move(best);
+    return true;
+  }
+
+  // Solids at odds meet: a fuse in which they have nothing in common has missed it.
+  [[nodiscard]] bool joins(const GroupFuse& fuse, const std::vector<std::size_t>& as_splines,
+                           const std::vector<Pair>& at_odds) const {
+    if (!fuse.sound()) return false;
+    for (const Pair& pair : at_odds)
+      if (!fuse.have_common_edges(pair[0], pair[1])) return false;
+    for (const std::size_t i : as_splines)
+      if (!fuse.keeps_volume(i, solids_[i])) return false;
     return true;
   }
 
   bool attempt(const std::vector<TopoDS_Edge>& contacts, double tolerance) {
     auto fuse = std::make_unique<GroupFuse>(solids_, contacts, tolerance, thin_);
     const bool sound = fuse->sound();
-    const bool counts = tolerance <= thin_ || badness(*fuse) == Badness{};
+    const bool counts = tolerance <= thin_ || is_clean(*fuse);
     if (!best_ || (counts && badness(*fuse) < badness(*best_))) best_ = std::move(fuse);
     return sound;
   }

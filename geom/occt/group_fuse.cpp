@@ -180,8 +180,27 @@ GroupFuse::GroupFuse(const std::vector<TopoDS_Shape>& solids, const std::vector<
 void GroupFuse::began_with(const Handle(BRepTools_History) & before, std::vector<std::size_t> as_splines) {
   as_splines_ = std::move(as_splines);
   if (failed_) return;
-  before->Merge(history_);
-  history_ = before;
+  const Handle(BRepTools_History) all = new BRepTools_History();
+  all->Merge(before);
+  all->Merge(history_);
+  history_ = all;
+}
+
+bool GroupFuse::have_common_edges(std::size_t one, std::size_t other) const {
+  TopTools_IndexedMapOfShape edges;
+  for (const TopoDS_Shape& image : images_[one]) TopExp::MapShapes(image, TopAbs_EDGE, edges);
+  for (const TopoDS_Shape& image : images_[other])
+    for (TopExp_Explorer it(image, TopAbs_EDGE); it.More(); it.Next())
+      if (edges.Contains(it.Current())) return true;
+  return false;
+}
+
+bool GroupFuse::keeps_volume(std::size_t i, const TopoDS_Shape& solid) const {
+  constexpr double kShare = 1e-3;
+  const double before = refined_volume_of(solid);
+  double after = 0.0;
+  for (const TopoDS_Shape& image : images_[i]) after += refined_volume_of(image);
+  return std::abs(after - before) <= kShare * std::abs(before);
 }
 
 std::vector<std::string> GroupFuse::warnings() const {

@@ -25,6 +25,9 @@ struct FuseConflict {
   std::string cause;
 };
 
+/// Of splines, which nothing else joins, edges may end this share of their length from their vertices.
+inline constexpr double kTearOfSplines = 0.01;
+
 /// The circles along which faces of different solids touch, no farther than `near` from each other: a general
 /// fuse does not find them.
 [[nodiscard]] std::vector<TopoDS_Edge> contacts_of(const std::vector<TopoDS_Shape>& solids, double near);
@@ -59,6 +62,10 @@ class GroupFuse {
   [[nodiscard]] const Handle(BRepTools_History) & history() const { return history_; }
   /// What became of each solid of the group; those in two lists are overlaps.
   [[nodiscard]] const std::vector<std::vector<TopoDS_Shape>>& images() const { return images_; }
+  /// Whether what became of two of the group has an edge in common.
+  [[nodiscard]] bool have_common_edges(std::size_t one, std::size_t other) const;
+  /// Whether what became of one of the group has the volume of `solid` to a thousandth of it. Slow.
+  [[nodiscard]] bool keeps_volume(std::size_t i, const TopoDS_Shape& solid) const;
   /// What the fuse could not do as it should, in words: where the mesh fails later, this is why.
   [[nodiscard]] std::vector<std::string> warnings() const;
 

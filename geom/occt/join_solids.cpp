@@ -8,6 +8,7 @@
 #include <TopExp.hxx>
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "base/error.h"
 #include "geom/facet_volumes.h"
@@ -51,6 +52,7 @@ class Joiner {
   JoinedSolids run() {
     while (!succeeds()) {
     }
+    std::erase_if(apart_, [](const KeptApart& kept) { return kept.late; });
     for (KeptApart& kept : apart_) {
       kept.solid = tag_of(kept.solid);
       kept.other = tag_of(kept.other);
@@ -64,6 +66,7 @@ class Joiner {
       attempt();
       return true;
     } catch (const ModelError& error) {
+      if (parts_late()) return false;
       const std::optional<std::size_t> solid = culprit(error);
       if (!solid) throw;
       const bool is_apart = std::any_of(apart_.begin(), apart_.end(),
@@ -77,6 +80,13 @@ class Joiner {
       }
       return false;
     }
+  }
+
+  /// Keeps apart what was joined late, if anything was: the first to blame where something fails.
+  bool parts_late() {
+    bool any = false;
+    for (KeptApart& kept : apart_) any = std::exchange(kept.late, false) || any;
+    return any;
   }
 
   void attempt() {

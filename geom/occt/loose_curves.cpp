@@ -7,19 +7,26 @@
 #include <Geom2dAPI_Interpolate.hxx>
 #include <Geom2d_BSplineCurve.hxx>
 #include <Geom2d_Curve.hxx>
+#include <Geom_BSplineSurface.hxx>
 #include <Geom_Curve.hxx>
 #include <Geom_Surface.hxx>
 #include <Precision.hxx>
 #include <Standard_Failure.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
 #include <TColStd_HArray1OfReal.hxx>
+#include <TColgp_Array1OfPnt2d.hxx>
 #include <TColgp_HArray1OfPnt2d.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <gp_Vec2d.hxx>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 #include "geom/occt/canonical.h"
 #include "geom/occt/curve_gaps.h"
@@ -89,6 +96,49 @@ Vec2 foot_from(const Geom_Surface& surface, const Bounds& bounds, const Vec3& po
   return uv;
 }
 
+/// Interior knots in u and in v at which a surface is not twice continuously differentiable.
+std::array<std::vector<double>, 2> rough_knots(const Geom_BSplineSurface& surface) {
+  std::array<std::vector<double>, 2> knots;
+  for (int i = surface.FirstUKnotIndex() + 1; i < surface.LastUKnotIndex(); ++i)
+    if (surface.UDegree() - surface.UMultiplicity(i) < 2) knots[0].push_back(surface.UKnot(i));
+  for (int i = surface.FirstVKnotIndex() + 1; i < surface.LastVKnotIndex(); ++i)
+    if (surface.VDegree() - surface.VMultiplicity(i) < 2) knots[1].push_back(surface.VKnot(i));
+  return knots;
+}
+
+/// Cubic splines, each from where the last ends.
+class CurvePieces {
+ public:
+  void add(const Geom2d_BSplineCurve& piece) {
+    const bool first = poles_.empty();
+    for (int i = first ? 1 : 2; i <= piece.NbPoles(); ++i) poles_.push_back(piece.Pole(i));
+    if (!first) multiplicities_.back() = piece.Degree();
+    for (int i = first ? 1 : 2; i <= piece.NbKnots(); ++i) {
+      knots_.push_back(piece.Knot(i));
+      multiplicities_.push_back(piece.Multiplicity(i));
+    }
+    degree_ = piece.Degree();
+  }
+
+  [[nodiscard]] Handle(Geom2d_Curve) curve() const {
+    TColgp_Array1OfPnt2d poles(1, static_cast<int>(poles_.size()));
+    TColStd_Array1OfReal knots(1, static_cast<int>(knots_.size()));
+    TColStd_Array1OfInteger multiplicities(1, static_cast<int>(knots_.size()));
+    for (int i = 1; i <= poles.Length(); ++i) poles(i) = poles_[static_cast<std::size_t>(i) - 1];
+    for (int i = 1; i <= knots.Length(); ++i) {
+      knots(i) = knots_[static_cast<std::size_t>(i) - 1];
+      multiplicities(i) = multiplicities_[static_cast<std::size_t>(i) - 1];
+    }
+    return new Geom2d_BSplineCurve(poles, knots, multiplicities, degree_);
+  }
+
+ private:
+  std::vector<gp_Pnt2d> poles_;
+  std::vector<double> knots_;
+  std::vector<int> multiplicities_;
+  int degree_ = 0;
+};
+
 class Fit {
  public:
   Fit(const TopoDS_Edge& edge, const TopoDS_Face& face)
@@ -103,9 +153,10 @@ class Fit {
 
   /// The curve with the fewest pieces that is no more than `near` off, or as near as the edge allows; none
   /// where none is nearer than a share of `gap`.
-  [[nodiscard]] Handle(Geom2d_Curve) best(double gap, double near) const {
+  [[nodiscard]] Handle(Geom2d_Curve) best(double gap, double near) {
     Handle(Geom2d_Curve) best;
     double least = kBetter * gap;
+    breaks_ = breaks(least);
     for (int pieces = kFewest; pieces <= kMost; pieces *= 2) {
       double edge_off = 0.0;
       const Handle(Geom2d_Curve) curve = through(pieces, kBetter * gap, edge_off);
@@ -126,35 +177,82 @@ class Fit {
  private:
   [[nodiscard]] double at(double share) const { return t0_ + share * (t1_ - t0_); }
 
+  /// The point of the surface nearest to the edge at a share of it. Where the old curve is farther off than
+  /// `enough` its nearest point may be another: then that beside `last`, if there is one, is tried.
+  [[nodiscard]] Vec2 foot_at(double share, const Vec2* last, double enough, double& edge_off) const {
+    const gp_Pnt2d seed = on_face_->Value(s0_ + share * (s1_ - s0_));
+    const gp_Pnt point = in_space_->Value(at(share));
+    const auto off = [&](const Vec2& uv) { return surface_->Value(uv[0], uv[1]).Distance(point); };
+    Vec2 uv = foot_from(*surface_, bounds_, to_vec(point), Vec2(seed.X(), seed.Y()));
+    if (last != nullptr && off(uv) > enough) {
+      const Vec2 next = foot_from(*surface_, bounds_, to_vec(point), *last);
+      if (off(next) < off(uv)) uv = next;
+    }
+    edge_off = std::max(edge_off, off(uv));
+    return uv;
+  }
+
+  /// Where the edge crosses a line of the surface at which its second derivatives jump, as splines of circles
+  /// have them: shares of the edge, ascending, 0 and 1 among them.
+  [[nodiscard]] std::vector<double> breaks(double enough) const {
+    constexpr int kSteps = 32, kHalvings = 48;
+    constexpr double kHit = 1e-12;
+    std::vector<double> shares{0.0, 1.0};
+    const Handle(Geom_BSplineSurface) spline = Handle(Geom_BSplineSurface)::DownCast(surface_);
+    if (spline.IsNull()) return shares;
+    const std::array<std::vector<double>, 2> knots = rough_knots(*spline);
+    if (knots[0].empty() && knots[1].empty()) return shares;
+    double unused = 0.0;
+    Vec2 before = foot_at(0.0, nullptr, enough, unused);
+    for (int i = 1; i <= kSteps; ++i) {
+      const double low = static_cast<double>(i - 1) / kSteps, high = static_cast<double>(i) / kSteps;
+      const Vec2 after = foot_at(high, &before, enough, unused);
+      for (int k = 0; k < 2; ++k)
+        for (const double knot : knots[static_cast<std::size_t>(k)]) {
+          if (std::abs(after[k] - knot) <= kHit) shares.push_back(high);
+          if ((before[k] - knot) * (after[k] - knot) >= 0.0) continue;
+          double from = low, to = high;
+          for (int halving = 0; halving < kHalvings; ++halving) {
+            const double middle = 0.5 * (from + to);
+            const bool below = foot_at(middle, &before, enough, unused)[k] < knot;
+            (below == (before[k] < knot) ? from : to) = middle;
+          }
+          shares.push_back(0.5 * (from + to));
+        }
+      before = after;
+    }
+    std::sort(shares.begin(), shares.end());
+    const auto same = [](double a, double b) { return b - a < 1e-6; };
+    shares.erase(std::unique(shares.begin(), shares.end(), same), shares.end());
+    shares.back() = 1.0;
+    return shares;
+  }
+
   /// `edge_off`: how far the edge is from the surface at the points, of which `enough` is near.
   [[nodiscard]] Handle(Geom2d_Curve) through(int pieces, double enough, double& edge_off) const {
-    const Handle(TColgp_HArray1OfPnt2d) points = new TColgp_HArray1OfPnt2d(1, pieces + 1);
-    const Handle(TColStd_HArray1OfReal) parameters = new TColStd_HArray1OfReal(1, pieces + 1);
-    Vec2 last = Vec2::Zero();
-    for (int i = 0; i <= pieces; ++i) {
-      const double share = static_cast<double>(i) / pieces;
-      const gp_Pnt2d seed = on_face_->Value(s0_ + share * (s1_ - s0_));
-      const gp_Pnt point = in_space_->Value(at(share));
-      const auto off = [&](const Vec2& uv) { return surface_->Value(uv[0], uv[1]).Distance(point); };
-      Vec2 uv = foot_from(*surface_, bounds_, to_vec(point), Vec2(seed.X(), seed.Y()));
-      // Where the old curve is far off its nearest point may be another: that beside the last one is tried.
-      if (i > 0 && off(uv) > enough) {
-        const Vec2 next = foot_from(*surface_, bounds_, to_vec(point), last);
-        if (off(next) < off(uv)) uv = next;
+    CurvePieces joined;
+    std::optional<Vec2> last;
+    for (std::size_t b = 1; b < breaks_.size(); ++b) {
+      const double low = breaks_[b - 1], length = breaks_[b] - low;
+      const int count = std::max(4, static_cast<int>(std::lround(pieces * length)));
+      const Handle(TColgp_HArray1OfPnt2d) points = new TColgp_HArray1OfPnt2d(1, count + 1);
+      const Handle(TColStd_HArray1OfReal) parameters = new TColStd_HArray1OfReal(1, count + 1);
+      for (int i = 0; i <= count; ++i) {
+        const double share = low + length * i / count;
+        last = foot_at(share, last ? &*last : nullptr, enough, edge_off);
+        points->SetValue(i + 1, gp_Pnt2d((*last)[0], (*last)[1]));
+        parameters->SetValue(i + 1, at(share));
       }
-      last = uv;
-      edge_off = std::max(edge_off, off(uv));
-      points->SetValue(i + 1, gp_Pnt2d(uv[0], uv[1]));
-      parameters->SetValue(i + 1, at(share));
+      try {
+        Geom2dAPI_Interpolate fit(points, parameters, false, Precision::PConfusion());
+        fit.Perform();
+        if (!fit.IsDone()) return {};
+        joined.add(*fit.Curve());
+      } catch (const Standard_Failure&) {
+        return {};  // points that coincide in (u,v): no curve through them
+      }
     }
-    try {
-      Geom2dAPI_Interpolate fit(points, parameters, false, Precision::PConfusion());
-      fit.Perform();
-      if (fit.IsDone()) return Handle(Geom2d_Curve)(fit.Curve());
-    } catch (const Standard_Failure&) {
-      // Points that coincide in (u,v): no curve through them.
-    }
-    return {};
+    return joined.curve();
   }
 
   /// Largest distance at equal parameter, between the points that the curve was made through.
@@ -175,19 +273,34 @@ class Fit {
   Handle(Geom2d_Curve) on_face_;
   Handle(Geom_Surface) surface_;
   Bounds bounds_;
+  std::vector<double> breaks_;  ///< shares of the edge between which the curve is smooth
 };
 
 bool can_be_fitted(const TopoDS_Edge& edge, const TopoDS_Face& face) {
   return !BRep_Tool::Degenerated(edge) && !BRep_Tool::IsClosed(edge, face);
 }
 
+/// A new curve for a seam as the face's other side has it: as far away as the two are now.
+Handle(Geom2d_Curve)
+    beside(const Handle(Geom2d_Curve) & curve, const TopoDS_Edge& seam, const TopoDS_Face& face) {
+  double first = 0.0, last = 0.0;
+  const Handle(Geom2d_Curve) one = BRep_Tool::CurveOnSurface(seam, face, first, last);
+  const Handle(Geom2d_Curve) other =
+      BRep_Tool::CurveOnSurface(TopoDS::Edge(seam.Reversed()), face, first, last);
+  const gp_Vec2d off(one->Value(first), other->Value(first));
+  return Handle(Geom2d_Curve)::DownCast(curve->Translated(off));
+}
+
 bool fit_within(double near, const TopoDS_Edge& edge, const TopoDS_Face& face, double gap) {
-  const Fit fit(edge, face);
+  Fit fit(edge, face);
   if (!fit.possible()) return false;
   const Handle(Geom2d_Curve) curve = fit.best(gap, near);
   if (curve.IsNull()) return false;
   const BRep_Builder builder;
-  builder.UpdateEdge(edge, curve, face, Precision::Confusion());
+  if (BRep_Tool::IsClosed(edge, face))
+    builder.UpdateEdge(edge, curve, beside(curve, edge, face), face, Precision::Confusion());
+  else
+    builder.UpdateEdge(edge, curve, face, Precision::Confusion());
   builder.Range(edge, face, fit.first(), fit.last());
   return true;
 }
@@ -216,9 +329,10 @@ bool is_strip(const TopoDS_Face& face, const std::vector<CurveRenewed>& loose) {
 
 bool fit_curve(const TopoDS_Edge& edge, const TopoDS_Face& face) {
   const TopoDS_Face forward = TopoDS::Face(face.Oriented(TopAbs_FORWARD));
-  if (!can_be_fitted(edge, forward)) return false;
-  const double gap = curve_gap(edge, forward);
-  return gap > Precision::Confusion() && fit_within(Precision::Confusion(), edge, forward, gap);
+  const TopoDS_Edge along = TopoDS::Edge(edge.Oriented(TopAbs_FORWARD));
+  if (BRep_Tool::Degenerated(along)) return false;
+  const double gap = curve_gap(along, forward);
+  return gap > Precision::Confusion() && fit_within(Precision::Confusion(), along, forward, gap);
 }
 
 std::vector<CurveRenewed> fit_loose_curves(const TopoDS_Shape& solid, double apart) {

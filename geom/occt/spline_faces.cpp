@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Surfaces by OCCT's conversion, where it is exact, and curves on them fitted to the edges as they are.
+#include "geom/occt/spline_faces.h"
+
+#include <BRepAdaptor_Surface.hxx>
+#include <BRepBuilderAPI_NurbsConvert.hxx>
+#include <BRepTools_ReShape.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <BSplCLib.hxx>
+#include <Geom2dConvert.hxx>
+#include <Geom2d_BSplineCurve.hxx>
+#include <Geom2d_TrimmedCurve.hxx>
+#include <Precision.hxx>
+#include <Standard_Failure.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Iterator.hxx>
+#include <algorithm>
+
+#include "geom/occt/curve_gaps.h"
+#include "geom/occt/loose_curves.h"
+#include "geom/occt/shape_box.h"
+#include "geom/occt/sub_shapes.h"
+#include "geom/tiny_features.h"
+
+namespace octet {
+namespace {
+
+/// A fuse of splines takes some ten times as long as one of planes and cylinders.
+constexpr int kMostFaces = 600;
+/// Edges may have a tolerance this many times as wide as before.
+constexpr double kWider = 2.0;
+
+bool converts_exactly(const TopoDS_Face& face) {
+  const GeomAbs_SurfaceType type = BRepAdaptor_Surface(face, false).GetType();
+  return type != GeomAbs_OffsetSurface && type != GeomAbs_OtherSurface && type != GeomAbs_BSplineSurface;
+}
+
+struct BoxedFace {
+  TopoDS_Face face;  ///< forward
+  Bnd_Box box;
+};
+
+std::vector<BoxedFace> boxed_faces(const TopoDS_Shape& solid, double near) {
+  std::vector<BoxedFace> boxed;
+  const TopTools_IndexedMapOfShape faces = sub_shapes(solid, TopAbs_FACE);
+  for (int i = 1; i <= faces.Extent(); ++i) {
+    boxed.push_back({TopoDS::Face(faces(i).Oriented(TopAbs_FORWARD)), box_of(faces(i))});
+    boxed.back().box.Enlarge(near);
+  }
+  return boxed;
+}
+
+/// Faces of the last solid whose boxes meet those of faces of others, and these.
+std::vector<TopoDS_Face> faces_about_last(const std::vector<TopoDS_Shape>& solids, double near) {
+  std::vector<TopoDS_Face> found;
+  const std::vector<BoxedFace> of_last = boxed_faces(solids.back(), near);
+  std::vector<bool> meets(of_last.size(), false);
+  for (std::size_t i = 0; i + 1 < solids.size(); ++i)
+    for (const BoxedFace& other : boxed_faces(solids[i], near)) {
+      bool any = false;
+      for (std::size_t k = 0; k < of_last.size(); ++k) {
+        if (other.box.IsOut(of_last[k].box)) continue;
+        any = true;
+        meets[k] = true;
+      }
+      if (any) found.push_back(other.face);
+    }
+  for (std::size_t k = 0; k < of_last.size(); ++k)
+    if (meets[k]) found.push_back(of_last[k].face);
+  return found;
+}
+
+/// A curve in (u,v), of a range, as a spline of another range.
+Handle(Geom2d_Curve)
+    on_range(const Handle(Geom2d_Curve) & curve, double from, double to, double first, double last) {
+  const Handle(Geom2d_BSplineCurve) spline =
+      Geom2dConvert::CurveToBSplineCurve(new Geom2d_TrimmedCurve(curve, from, to));
+  TColStd_Array1OfReal knots(1, spline->NbKnots());
+  spline->Knots(knots);
+  BSplCLib::Reparametrize(first, last, knots);
+  spline->SetKnots(knots);
+  return Handle(Geom2d_Curve)(spline);
+}
+
+/// One face between its own edges on another surface.
+class Conversion {
+ public:
+  explicit Conversion(const TopoDS_Face& face) : old_(face), convert_(face, true) {
+    const BRep_Builder builder;
+    converted_ = TopoDS::Face(convert_.Shape().Oriented(TopAbs_FORWARD));
+    builder.MakeFace(face_, BRep_Tool::Surface(converted_), BRep_Tool::Tolerance(face));
+    for (TopoDS_Iterator wire(face); wire.More(); wire.Next()) builder.Add(face_, wire.Value());
+  }
+
+  [[nodiscard]] const TopoDS_Face& face() const { return face_; }
+
+  /// Gives an edge of the face, forward, its curve on it. Standard_Failure: there is none.
+  void add_curve(const TopoDS_Edge& edge) const {
+    const BRep_Builder builder;
+    const TopoDS_Edge made = TopoDS::Edge(convert_.ModifiedShape(edge).Oriented(TopAbs_FORWARD));
+    double first = 0.0, last = 0.0;
+    BRep_Tool::Range(edge, old_, first, last);
+    const Handle(Geom2d_Curve) curve = of(made, first, last);
+    if (BRep_Tool::IsClosed(edge, old_)) {
+      const Handle(Geom2d_Curve) other = of(TopoDS::Edge(made.Reversed()), first, last);
+      builder.UpdateEdge(edge, curve, other, face_, Precision::Confusion());
+    } else {
+      builder.UpdateEdge(edge, curve, face_, Precision::Confusion());
+    }
+    builder.Range(edge, face_, first, last);
+    fit_curve(edge, face_);
+  }
+
+ private:
+  [[nodiscard]] Handle(Geom2d_Curve) of(const TopoDS_Edge& made, double first, double last) const {
+    double from = 0.0, to = 0.0;
+    const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(made, converted_, from, to);
+    if (curve.IsNull()) throw Standard_Failure("a converted edge has no curve on its face");
+    return on_range(curve, from, to, first, last);
+  }
+
+  TopoDS_Face old_, converted_, face_;
+  BRepBuilderAPI_NurbsConvert convert_;
+};
+
+/// Faces are added until one cannot be.
+class Converter {
+ public:
+  Converter() : result_{{}, new BRepTools_History()}, replace_(new BRepTools_ReShape()) {}
+
+  void add(const TopoDS_Face& face, double noise) {
+    if (replace_->IsRecorded(face)) return;
+    if (result_.faces++ >= kMostFaces) throw Standard_Failure("more faces than a fuse has time for");
+    const Conversion conversion(face);
+    const TopTools_IndexedMapOfShape edges = sub_shapes(face, TopAbs_EDGE);
+    for (int i = 1; i <= edges.Extent(); ++i) {
+      const TopoDS_Edge edge = TopoDS::Edge(edges(i).Oriented(TopAbs_FORWARD));
+      result_.curves.emplace_back(edge, conversion.face());
+      conversion.add_curve(edge);
+      if (BRep_Tool::Degenerated(edge)) continue;
+      const double gap = curve_gap(edge, conversion.face());
+      if (gap > std::max(noise, kWider * BRep_Tool::Tolerance(edge)))
+        throw Standard_Failure("a curve on a spline runs beside its edge");
+      gaps_.emplace_back(edge, gap);
+    }
+    replace_->Replace(face, conversion.face());
+    result_.history->AddModified(face, conversion.face());
+  }
+
+  [[nodiscard]] std::optional<SplineFaces> solids(const std::vector<TopoDS_Shape>& before) {
+    const BRep_Builder builder;
+    for (const auto& [edge, gap] : gaps_) {
+      builder.UpdateEdge(edge, gap);
+      for (TopoDS_Iterator it(edge); it.More(); it.Next())
+        builder.UpdateVertex(TopoDS::Vertex(it.Value()), BRep_Tool::Tolerance(edge));
+    }
+    for (const TopoDS_Shape& solid : before) {
+      result_.solids.push_back(replace_->Apply(solid));
+      if (!result_.solids.back().IsSame(solid)) result_.history->AddModified(solid, result_.solids.back());
+    }
+    return result_;
+  }
+
+  void give_up() const { take_back(result_); }
+
+ private:
+  SplineFaces result_;
+  Handle(BRepTools_ReShape) replace_;
+  std::vector<std::pair<TopoDS_Edge, double>> gaps_;
+};
+
+}  // namespace
+
+std::optional<SplineFaces> with_spline_faces_about_last(const std::vector<TopoDS_Shape>& solids) {
+  Bnd_Box all;
+  for (const TopoDS_Shape& solid : solids) all.Add(box_of(solid));
+  const double noise = kRoundingShare * diagonal_of(all);
+  Converter converter;
+  try {
+    for (const TopoDS_Face& face : faces_about_last(solids, noise))
+      if (converts_exactly(face)) converter.add(face, noise);
+    return converter.solids(solids);
+  } catch (const Standard_Failure&) {
+    converter.give_up();
+    return std::nullopt;
+  }
+}
+
+void take_back(const SplineFaces& splines) {
+  const BRep_Builder builder;
+  const Handle(Geom2d_Curve) none;
+  for (const auto& [edge, face] : splines.curves) builder.UpdateEdge(edge, none, face, 0.0);
+}
+
+}  // namespace octet
