@@ -207,9 +207,9 @@ class Attempts {
     return solids;
   }
 
-  /// With `tolerance`, and with more up to noise where something thin, gaps or slivers are left. What is left
-  /// of these counts for nothing in two solids that nothing else joins; in a group there is another way,
-  /// for it can be fused without the solid to blame, and that with what becomes of the others.
+  /// Two solids that nothing else joins are fused with `tolerance`, and with more up to noise where something
+  /// thin, gaps or slivers are left. A group must have none of these, for there is another way: it can be
+  /// fused without the solid to blame, and that with what becomes of the others.
   bool attempt_as_splines(const std::vector<std::size_t>& which, const std::vector<Pair>& at_odds,
                           double tolerance) {
     const std::optional<SplineSolids> splines = as_splines(solids_, which);
@@ -225,7 +225,7 @@ class Attempts {
       fuse->began_with(splines->history, which);
       if (!joins(*fuse, which, at_odds)) break;
       if (!best || badness(*fuse) < badness(*best)) best = std::move(fuse);
-      if (is_clean(*best)) break;
+      if (is_clean(*best) || solids_.size() > 2) break;
     }
     if (!best || (solids_.size() > 2 && !is_clean(*best))) return false;
     best_ = std::move(best);

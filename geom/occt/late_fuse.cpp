@@ -82,10 +82,13 @@ std::unique_ptr<GroupFuse> late_fuse(const LateGroup& group, double noise) {
 }
 
 bool Followers::can_follow(const TopoDS_Shape& solid) const {
+  const bool is_placed = !solid.Location().IsIdentity();
   for (const TopAbs_ShapeEnum type : kPartTypes) {
     const TopTools_IndexedMapOfShape parts = sub_shapes(solid, type);
-    for (int i = 1; i <= parts.Extent(); ++i)
-      if (fuse_->IsRemoved(parts(i)) || fuse_->Modified(parts(i)).Extent() > 1) return false;
+    for (int i = 1; i <= parts.Extent(); ++i) {
+      const int count = fuse_->Modified(parts(i)).Extent();
+      if (fuse_->IsRemoved(parts(i)) || count > 1 || (count > 0 && is_placed)) return false;
+    }
   }
   return true;
 }

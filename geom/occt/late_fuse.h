@@ -38,7 +38,7 @@ class Followers {
         changes_(new BRepTools_ReShape()),
         context_(new IntTools_Context()) {}
 
-  /// Whether no part of the solid was removed or became several.
+  /// Whether no part of the solid was removed or became several. A solid that is placed cannot follow.
   [[nodiscard]] bool can_follow(const TopoDS_Shape& solid) const;
   /// What the solid becomes; itself where it shares nothing that was changed.
   [[nodiscard]] TopoDS_Shape follow(const TopoDS_Shape& solid);

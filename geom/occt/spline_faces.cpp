@@ -4,7 +4,6 @@
 
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepBuilderAPI_NurbsConvert.hxx>
-#include <BRepTools_ReShape.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <BSplCLib.hxx>
@@ -15,9 +14,12 @@
 #include <Standard_Failure.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_DataMapOfShapeShape.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Iterator.hxx>
+#include <TopoDS_Shell.hxx>
+#include <TopoDS_Solid.hxx>
 #include <algorithm>
 
 #include "geom/occt/curve_gaps.h"
@@ -130,10 +132,10 @@ class Conversion {
 /// Faces are added until one cannot be.
 class Converter {
  public:
-  Converter() : result_{{}, new BRepTools_History()}, replace_(new BRepTools_ReShape()) {}
+  Converter() : result_{{}, new BRepTools_History()} {}
 
   void add(const TopoDS_Face& face, double noise) {
-    if (replace_->IsRecorded(face)) return;
+    if (made_.IsBound(face)) return;
     if (result_.faces++ >= kMostFaces) throw Standard_Failure("more faces than a fuse has time for");
     const Conversion conversion(face);
     const TopTools_IndexedMapOfShape edges = sub_shapes(face, TopAbs_EDGE);
@@ -147,7 +149,7 @@ class Converter {
         throw Standard_Failure("a curve on a spline runs beside its edge");
       gaps_.emplace_back(edge, gap);
     }
-    replace_->Replace(face, conversion.face());
+    made_.Bind(face, conversion.face());
     result_.history->AddModified(face, conversion.face());
   }
 
@@ -159,7 +161,7 @@ class Converter {
         builder.UpdateVertex(TopoDS::Vertex(it.Value()), BRep_Tool::Tolerance(edge));
     }
     for (const TopoDS_Shape& solid : before) {
-      result_.solids.push_back(replace_->Apply(solid));
+      result_.solids.push_back(rebuilt(solid));
       if (!result_.solids.back().IsSame(solid)) result_.history->AddModified(solid, result_.solids.back());
     }
     return result_;
@@ -168,8 +170,33 @@ class Converter {
   void give_up() const { take_back(result_); }
 
  private:
+  /// The solid with the new faces, where it has any. It may be placed, which OCCT's replacement of parts of a
+  /// shape does not see.
+  [[nodiscard]] TopoDS_Shape rebuilt(const TopoDS_Shape& solid) const {
+    const BRep_Builder builder;
+    TopoDS_Solid now;
+    builder.MakeSolid(now);
+    bool changed = false;
+    for (TopoDS_Iterator part(solid); part.More(); part.Next()) {
+      if (part.Value().ShapeType() != TopAbs_SHELL) {
+        builder.Add(now, part.Value());
+        continue;
+      }
+      TopoDS_Shell shell;
+      builder.MakeShell(shell);
+      for (TopoDS_Iterator it(part.Value()); it.More(); it.Next()) {
+        const TopoDS_Shape* made = made_.Seek(it.Value());
+        changed = changed || made != nullptr;
+        builder.Add(shell, made != nullptr ? made->Oriented(it.Value().Orientation()) : it.Value());
+      }
+      shell.Closed(part.Value().Closed());
+      builder.Add(now, shell);
+    }
+    return changed ? TopoDS_Shape(now) : solid;
+  }
+
   SplineFaces result_;
-  Handle(BRepTools_ReShape) replace_;
+  TopTools_DataMapOfShapeShape made_;
   std::vector<std::pair<TopoDS_Edge, double>> gaps_;
 };
 

@@ -15,11 +15,13 @@
 #include <TopExp_Explorer.hxx>
 #include <TopTools_ListOfShape.hxx>
 #include <TopoDS.hxx>
+#include <gp_Trsf.hxx>
 #include <numbers>
 
 #include "geom/occt/curve_gaps.h"
 #include "geom/occt/gathered.h"
 #include "geom/occt/group_fuse.h"
+#include "geom/occt/shape_box.h"
 #include "geom/occt/shape_measures.h"
 #include "geom/occt/sub_shapes.h"
 
@@ -64,6 +66,27 @@ TEST(SplineFaces, FacesAboutTheLastSolidAreSplinesAndEdgesStay) {
   EXPECT_NEAR(refined_volume_of(splines->solids[0]), 500.0, 1e-4);
   EXPECT_NEAR(refined_volume_of(splines->solids[1]), 3.0 * kPi, 1e-4);
   EXPECT_LT(widest_gap(splines->solids[1]), 1e-6);
+}
+
+TEST(SplineFaces, ASolidThatIsPlacedStaysWhereItIs) {
+  gp_Trsf move;
+  move.SetTranslation(gp_Vec(3, 2, 0));
+  const TopoDS_Shape block = BRepPrimAPI_MakeBox(gp_Pnt(-5, -5, -5), gp_Pnt(5, 5, 0)).Shape();
+  const TopoDS_Shape pin =
+      solid_in(BRepPrimAPI_MakeCylinder(1.0, 3.0).Shape()).Located(TopLoc_Location(move));
+  const auto splines = with_spline_faces_about_last({block, pin});
+  ASSERT_TRUE(splines);
+  EXPECT_EQ(count_splines(splines->solids[1]), 2);
+  EXPECT_NEAR(refined_volume_of(splines->solids[1]), 3.0 * kPi, 1e-4);
+  EXPECT_NEAR(vertex_box_of(splines->solids[1]).CornerMin().X(), 4.0, 1e-6);
+  EXPECT_LT(widest_gap(splines->solids[1]), 1e-6);
+  const GroupFuse fuse(splines->solids, {}, 0.0, 1e-6, kTearOfSplines);
+  ASSERT_TRUE(fuse.sound());
+  EXPECT_EQ(sub_shapes(compound_of(std::vector<TopoDS_Shape>{fuse.images()[0][0], fuse.images()[1][0]}),
+                       TopAbs_FACE)
+                .Extent(),
+            6 + 3)
+      << "the pin's foot is a face of both";
 }
 
 TEST(SplineFaces, SeamsAndPolesHaveTheirCurves) {
