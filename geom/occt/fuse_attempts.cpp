@@ -30,6 +30,9 @@ constexpr std::array<Step, 6> kSteps{
     {{0.0, 1e-5}, {1e-8, 1e-5}, {1e-7, 1e-5}, {1e-6, 1e-5}, {4e-6, 3e-5}, {1e-5, 5e-5}}};
 /// Of a part with more pairs at odds than this no pair is fused by itself.
 constexpr std::size_t kMostPairs = 40;
+/// A larger group is not fused again with some as splines, which takes all of it: without them, and late with
+/// what is near them, is less.
+constexpr std::size_t kMostWithSplines = 8;
 /// So many of a group are tried as splines each by itself, before all that are at odds.
 constexpr std::size_t kMostAlone = 3;
 
@@ -212,6 +215,7 @@ class Attempts {
   /// fused without the solid to blame, and that with what becomes of the others.
   bool attempt_as_splines(const std::vector<std::size_t>& which, const std::vector<Pair>& at_odds,
                           double tolerance) {
+    if (solids_.size() > kMostWithSplines) return false;
     const std::optional<SplineSolids> splines = as_splines(solids_, which);
     if (!splines) return false;
     std::unique_ptr<GroupFuse> best;
