@@ -158,6 +158,13 @@ void tell_faults(const JoinedSolids& joined, const ShapeMaps& as_read, const Sol
     return name.empty() ? fmt::format("Region {}", tag) : fmt::format("Region {} \"{}\"", tag, name);
   };
   for (const KeptApart& kept : joined.apart) {
+    if (kept.late) {
+      parts.notes.push_back(
+          fmt::format("{} could not be fused with all others at once ({}), and was fused with "
+                      "what had become of those about it",
+                      region_text(kept.solid), kept.cause));
+      continue;
+    }
     Fault fault{model_region(static_cast<int>(kept.solid)), kept.place, "it is not joined with ", ""};
     fault.cause +=
         kept.other == kept.solid ? "what it touches" : region_text(kept.other) + " and what else it touches";

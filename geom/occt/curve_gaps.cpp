@@ -9,6 +9,7 @@
 #include <Precision.hxx>
 #include <ShapeFix_ShapeTolerance.hxx>
 #include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
@@ -54,6 +55,14 @@ double curve_gap(const TopoDS_Edge& edge, const TopoDS_Face& face) {
     gap = std::max(gap, surface->Value(uv.X(), uv.Y()).Distance(curve->Value(t0 + share * (t1 - t0))));
   }
   return gap;
+}
+
+double widest_curve_gap(const TopoDS_Shape& shape) {
+  double widest = 0.0;
+  for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next())
+    for (TopExp_Explorer edge(face.Current(), TopAbs_EDGE); edge.More(); edge.Next())
+      widest = std::max(widest, curve_gap(TopoDS::Edge(edge.Current()), TopoDS::Face(face.Current())));
+  return widest;
 }
 
 void lower_tolerances(const TopoDS_Shape& solid, const std::vector<TopoDS_Edge>& edges) {

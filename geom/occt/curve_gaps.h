@@ -14,6 +14,9 @@ namespace octet {
 /// 0 where either is missing.
 [[nodiscard]] double curve_gap(const TopoDS_Edge& edge, const TopoDS_Face& face);
 
+/// The largest of all edges of a shape on its faces.
+[[nodiscard]] double widest_curve_gap(const TopoDS_Shape& shape);
+
 /// Gives edges of a solid, whose curves have become nearer, the tolerance that their curves need, and
 /// their vertices what the edges there need.
 void lower_tolerances(const TopoDS_Shape& solid, const std::vector<TopoDS_Edge>& edges);

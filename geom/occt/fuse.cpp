@@ -100,9 +100,10 @@ class Fuser {
         done_(done),
         is_apart_(set.solids.size(), false),
         images_(set.solids.size()) {
-    for (const KeptApart& kept : apart) is_apart_[kept.solid] = true;
-    for (const KeptApart& kept : apart)
+    for (const KeptApart& kept : apart) {
+      is_apart_[kept.solid] = true;
       if (kept.late) late_.push_back(kept.solid);
+    }
     for (std::size_t i = 0; i < images_.size(); ++i) images_[i] = {set.solids[i]};
   }
 
@@ -152,18 +153,28 @@ class Fuser {
     return known != done_.end() ? known->fuse : done_.emplace_back(DoneFuse{solids, late, make()}).fuse;
   }
 
-  void accept(const Group& group, const GroupFuse& fuse) {
+  void tell(const GroupFuse& fuse) {
     for (const std::string& text : fuse.warnings()) set_.notes.push_back(text);
+    const std::size_t count = fuse.images().size();
     if (fuse.tolerance() > 0.0)
       set_.notes.push_back(
           fmt::format("{} solids that touch were fused with a tolerance of {:.3g} mm, for they overlap, or "
                       "miss each other, by less",
-                      group.size(), fuse.tolerance()));
+                      count, fuse.tolerance()));
     if (!fuse.as_splines().empty())
       set_.notes.push_back(
           fmt::format("{} of {} solids that touch were turned into splines to be fused, for as they are the "
                       "general fuse cannot join them",
-                      fuse.as_splines().size(), group.size()));
+                      fuse.as_splines().size(), count));
+    if (fuse.spline_faces() > 0)
+      set_.notes.push_back(
+          fmt::format("{} face(s) of {} solids that touch were turned into splines to be fused, for as they "
+                      "are the general fuse cannot join them",
+                      fuse.spline_faces(), count));
+  }
+
+  void accept(const Group& group, const GroupFuse& fuse) {
+    tell(fuse);
     for (std::size_t i = 0; i < group.size(); ++i) images_[group[i]] = fuse.images()[i];
     changed_ = changed_ || fuse.history()->HasModified() || fuse.history()->HasRemoved();
     set_.history->Merge(fuse.history());
@@ -219,8 +230,7 @@ class Fuser {
     images_[late] = fuse.images().back();
     set_.history->Merge(fuse.history());
     set_.history->Merge(followers.history());
-    set_.notes.push_back(
-        "a solid that could not be fused with all others at once was fused with what had become of them");
+    tell(fuse);
     changed_ = true;
   }
 

@@ -13,13 +13,13 @@
 
 namespace octet {
 
-/// A solid that is not joined with those it touches.
+/// A solid that others were fused without.
 struct KeptApart {
   std::size_t solid = 0;      ///< index in the set before the fuse
   std::size_t other = 0;      ///< the solid it is at odds with; itself: none
   Vec3 place = Vec3::Zero();  ///< where
   std::string cause;          ///< completes "is not joined with what it touches: "
-  bool late = false;          ///< it was joined all the same, with what the fuse of the others has made
+  bool late = false;          ///< it was joined in the end, with what had become of the others
 };
 
 /// A group of solids that has been fused, and what came of it.

@@ -2,7 +2,6 @@
 // Fuses of one group of solids with one tolerance after the other.
 #include "geom/occt/fuse_attempts.h"
 
-#include <Bnd_Box.hxx>
 #include <TopoDS_Edge.hxx>
 #include <algorithm>
 #include <array>
@@ -35,12 +34,6 @@ constexpr std::size_t kMostPairs = 40;
 constexpr std::size_t kMostWithSplines = 8;
 /// So many of a group are tried as splines each by itself, before all that are at odds.
 constexpr std::size_t kMostAlone = 3;
-
-double diagonal_of_all(const std::vector<TopoDS_Shape>& solids) {
-  Bnd_Box all;
-  for (const TopoDS_Shape& solid : solids) all.Add(box_of(solid));
-  return diagonal_of(all);
-}
 
 using Pair = std::array<std::size_t, 2>;
 
@@ -125,7 +118,7 @@ class Attempts {
       last = tolerance;
       if (best_ && is_clean_but_for_gaps() && tolerance < best_->near().narrowest) continue;
       if (!attempt(contacts_, tolerance) && !contacts_.empty()) attempt({}, tolerance);
-      if (is_clean(*best_)) break;
+      if (best_->clean()) break;
       if (tolerance == 0.0 && !pairs_give_hope()) return std::move(best_);
     }
     if (!best_->sound()) try_splines();
@@ -144,7 +137,6 @@ class Attempts {
     return all;
   }
 
-  [[nodiscard]] static bool is_clean(const GroupFuse& fuse) { return badness(fuse) == Badness{}; }
   [[nodiscard]] bool is_clean_but_for_gaps() const {
     return best_->sound() && best_->thin_pieces() + best_->slivers() == 0;
   }
@@ -218,6 +210,7 @@ class Attempts {
     if (solids_.size() > kMostWithSplines) return false;
     const std::optional<SplineSolids> splines = as_splines(solids_, which);
     if (!splines) return false;
+    const bool is_group = solids_.size() > 2;
     std::unique_ptr<GroupFuse> best;
     double last = -1.0;
     for (const double step : tolerances()) {
@@ -229,9 +222,9 @@ class Attempts {
       fuse->began_with(splines->history, which);
       if (!joins(*fuse, which, at_odds)) break;
       if (!best || badness(*fuse) < badness(*best)) best = std::move(fuse);
-      if (is_clean(*best) || solids_.size() > 2) break;
+      if (best->clean() || is_group) break;
     }
-    if (!best || (solids_.size() > 2 && !is_clean(*best))) return false;
+    if (!best || (is_group && !best->clean())) return false;
     best_ = std::move(best);
     return true;
   }
@@ -250,7 +243,7 @@ class Attempts {
   bool attempt(const std::vector<TopoDS_Edge>& contacts, double tolerance) {
     auto fuse = std::make_unique<GroupFuse>(solids_, contacts, tolerance, thin_);
     const bool sound = fuse->sound();
-    const bool counts = tolerance <= thin_ || is_clean(*fuse);
+    const bool counts = tolerance <= thin_ || fuse->clean();
     if (!best_ || (counts && badness(*fuse) < badness(*best_))) best_ = std::move(fuse);
     return sound;
   }

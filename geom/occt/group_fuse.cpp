@@ -177,8 +177,10 @@ GroupFuse::GroupFuse(const std::vector<TopoDS_Shape>& solids, const std::vector<
     conflicts_.push_back({cut.solids, cut.place, "they overlap, and their faces are cut in part only"});
 }
 
-void GroupFuse::began_with(const Handle(BRepTools_History) & before, std::vector<std::size_t> as_splines) {
+void GroupFuse::began_with(const Handle(BRepTools_History) & before, std::vector<std::size_t> as_splines,
+                           int spline_faces) {
   as_splines_ = std::move(as_splines);
+  spline_faces_ = spline_faces;
   if (failed_) return;
   const Handle(BRepTools_History) all = new BRepTools_History();
   all->Merge(before);

@@ -42,14 +42,22 @@ class GroupFuse {
 
   [[nodiscard]] bool failed() const { return failed_; }
   [[nodiscard]] bool sound() const { return !failed_ && conflicts_.empty(); }
+  /// Sound, and nothing thin, no gaps and no slivers are left.
+  [[nodiscard]] bool clean() const {
+    return sound() && thin_pieces_ == 0 && slivers_ == 0 && near_.count == 0;
+  }
   /// Solids left open, without anything or without a piece of their boundary, two on one side of a face,
   /// faces of others inside of one, pieces of a line along which two touch, faces that another solid cuts in
   /// part only, edges that end elsewhere than their vertices are.
   [[nodiscard]] const std::vector<FuseConflict>& conflicts() const { return conflicts_; }
   /// Those of the group (indices) that were turned into splines before the fuse (geom/occt/spline_solids).
   [[nodiscard]] const std::vector<std::size_t>& as_splines() const { return as_splines_; }
-  /// The fuse was not of the group's solids but of what `before` made of them, splines of some.
-  void began_with(const Handle(BRepTools_History) & before, std::vector<std::size_t> as_splines);
+  /// So many of their faces were turned into splines before the fuse (geom/occt/spline_faces).
+  [[nodiscard]] int spline_faces() const { return spline_faces_; }
+  /// The fuse was not of the group's solids but of what `before` made of them, splines of some, or of some of
+  /// their faces.
+  void began_with(const Handle(BRepTools_History) & before, std::vector<std::size_t> as_splines,
+                  int spline_faces = 0);
   /// Takes these for the conflicts: of solids that are at odds by themselves, too.
   void blame(std::vector<FuseConflict> conflicts) { conflicts_ = std::move(conflicts); }
   /// Thin overlaps, and thin parts of solids that overlap others with the rest.
@@ -87,6 +95,7 @@ class GroupFuse {
   std::vector<FuseConflict> conflicts_;
   int thin_pieces_ = 0, slivers_ = 0;
   std::vector<std::size_t> as_splines_;
+  int spline_faces_ = 0;
   NearFaces near_;
 };
 

@@ -52,7 +52,6 @@ class Joiner {
   JoinedSolids run() {
     while (!succeeds()) {
     }
-    std::erase_if(apart_, [](const KeptApart& kept) { return kept.late; });
     for (KeptApart& kept : apart_) {
       kept.solid = tag_of(kept.solid);
       kept.other = tag_of(kept.other);

@@ -20,7 +20,7 @@ struct LostSolid {
 
 struct JoinedSolids {
   AssembledPart part;            ///< numbers, topology, facets and measures
-  std::vector<KeptApart> apart;  ///< indices are tags of regions here
+  std::vector<KeptApart> apart;  ///< those joined late, too; indices are tags of regions here
   std::vector<LostSolid> lost;
 };
 

@@ -3,7 +3,6 @@
 #include "geom/occt/late_fuse.h"
 
 #include <BOPTools_AlgoTools.hxx>
-#include <Bnd_Box.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopTools_ListOfShape.hxx>
 #include <algorithm>
@@ -31,22 +30,21 @@ class LateAttempts {
       meant_.resize(group.near.size());
       std::iota(meant_.begin(), meant_.end(), std::size_t{0});
     }
-    Bnd_Box all;
-    for (const TopoDS_Shape& solid : solids_) all.Add(box_of(solid));
-    thin_ = std::max(noise, kRoundingShare * diagonal_of(all));
+    thin_ = std::max(noise, kRoundingShare * diagonal_of_all(solids_));
   }
 
   std::unique_ptr<GroupFuse> run() const {
     if (auto plain = fuse(solids_, 0.0); is_good(*plain)) return plain;
     if (const std::optional<SplineFaces> about = with_spline_faces_about_last(solids_)) {
       auto fused = fuse(about->solids, kTearOfSplines);
-      fused->began_with(about->history, {});
+      fused->began_with(about->history, {}, about->faces);
       if (is_good(*fused)) return fused;
       take_back(*about);
     }
-    if (const std::optional<SplineSolids> last = as_splines(solids_, {solids_.size() - 1})) {
+    const std::vector<std::size_t> the_last{solids_.size() - 1};
+    if (const std::optional<SplineSolids> last = as_splines(solids_, the_last)) {
       auto fused = fuse(last->solids, kTearOfSplines);
-      fused->began_with(last->history, {});
+      fused->began_with(last->history, the_last);
       if (is_good(*fused)) return fused;
     }
     return nullptr;
@@ -58,7 +56,7 @@ class LateAttempts {
   }
 
   [[nodiscard]] bool is_good(const GroupFuse& fuse) const {
-    if (!fuse.sound()) return false;
+    if (!fuse.clean()) return false;
     const auto meets = [&](std::size_t i) { return fuse.have_common_edges(i, solids_.size() - 1); };
     if (!std::any_of(meant_.begin(), meant_.end(), meets)) return false;
     const Followers followers(fuse.history());

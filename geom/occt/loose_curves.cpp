@@ -120,7 +120,7 @@ class CurvePieces {
     degree_ = piece.Degree();
   }
 
-  [[nodiscard]] Handle(Geom2d_Curve) curve() const {
+  [[nodiscard]] Handle(Geom2d_BSplineCurve) curve() const {
     TColgp_Array1OfPnt2d poles(1, static_cast<int>(poles_.size()));
     TColStd_Array1OfReal knots(1, static_cast<int>(knots_.size()));
     TColStd_Array1OfInteger multiplicities(1, static_cast<int>(knots_.size()));
@@ -159,9 +159,9 @@ class Fit {
     breaks_ = breaks(least);
     for (int pieces = kFewest; pieces <= kMost; pieces *= 2) {
       double edge_off = 0.0;
-      const Handle(Geom2d_Curve) curve = through(pieces, kBetter * gap, edge_off);
+      const Handle(Geom2d_BSplineCurve) curve = through(pieces, kBetter * gap, edge_off);
       if (curve.IsNull() || edge_off > kBetter * gap) break;
-      const double off = std::max(edge_off, gap_between(*curve, pieces));
+      const double off = std::max(edge_off, gap_between(*curve));
       if (off < least) {
         least = off;
         best = curve;
@@ -229,7 +229,7 @@ class Fit {
   }
 
   /// `edge_off`: how far the edge is from the surface at the points, of which `enough` is near.
-  [[nodiscard]] Handle(Geom2d_Curve) through(int pieces, double enough, double& edge_off) const {
+  [[nodiscard]] Handle(Geom2d_BSplineCurve) through(int pieces, double enough, double& edge_off) const {
     CurvePieces joined;
     std::optional<Vec2> last;
     for (std::size_t b = 1; b < breaks_.size(); ++b) {
@@ -256,15 +256,15 @@ class Fit {
   }
 
   /// Largest distance at equal parameter, between the points that the curve was made through.
-  [[nodiscard]] double gap_between(const Geom2d_Curve& curve, int pieces) const {
+  [[nodiscard]] double gap_between(const Geom2d_BSplineCurve& curve) const {
     constexpr int kBetween = 4;
     double gap = 0.0;
-    for (int i = 0; i < kBetween * pieces; ++i) {
-      if (i % kBetween == 0) continue;
-      const double t = at(static_cast<double>(i) / (kBetween * pieces));
-      const gp_Pnt2d uv = curve.Value(t);
-      gap = std::max(gap, surface_->Value(uv.X(), uv.Y()).Distance(in_space_->Value(t)));
-    }
+    for (int k = 1; k < curve.NbKnots(); ++k)
+      for (int i = 1; i < kBetween; ++i) {
+        const double t = curve.Knot(k) + (curve.Knot(k + 1) - curve.Knot(k)) * i / kBetween;
+        const gp_Pnt2d uv = curve.Value(t);
+        gap = std::max(gap, surface_->Value(uv.X(), uv.Y()).Distance(in_space_->Value(t)));
+      }
     return gap;
   }
 

@@ -10,6 +10,7 @@
 #include <TopoDS_Shape.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <cmath>
+#include <vector>
 
 #include "base/vec.h"
 
@@ -38,6 +39,13 @@ inline Bnd_Box vertex_box_of(const TopoDS_Shape& shape) {
 }
 
 inline double diagonal_of(const Bnd_Box& box) { return box.IsVoid() ? 0.0 : std::sqrt(box.SquareExtent()); }
+
+/// Of the box around several shapes.
+inline double diagonal_of_all(const std::vector<TopoDS_Shape>& shapes) {
+  Bnd_Box all;
+  for (const TopoDS_Shape& shape : shapes) all.Add(box_of(shape));
+  return diagonal_of(all);
+}
 
 /// The middle of its box.
 inline Vec3 middle_of(const TopoDS_Shape& shape) {

@@ -11,6 +11,7 @@
 #include <Geom2d_BSplineCurve.hxx>
 #include <Geom2d_TrimmedCurve.hxx>
 #include <Precision.hxx>
+#include <ShapeFix_ShapeTolerance.hxx>
 #include <Standard_Failure.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TopExp_Explorer.hxx>
@@ -20,25 +21,21 @@
 #include <TopoDS_Iterator.hxx>
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
+#include <TopoDS_Vertex.hxx>
 #include <algorithm>
 
 #include "geom/occt/curve_gaps.h"
 #include "geom/occt/loose_curves.h"
 #include "geom/occt/shape_box.h"
+#include "geom/occt/spline_limits.h"
 #include "geom/occt/sub_shapes.h"
 #include "geom/tiny_features.h"
 
 namespace octet {
 namespace {
 
-/// A fuse of splines takes some ten times as long as one of planes and cylinders.
-constexpr int kMostFaces = 600;
-/// Edges may have a tolerance this many times as wide as before.
-constexpr double kWider = 2.0;
-
-bool converts_exactly(const TopoDS_Face& face) {
-  const GeomAbs_SurfaceType type = BRepAdaptor_Surface(face, false).GetType();
-  return type != GeomAbs_OffsetSurface && type != GeomAbs_OtherSurface && type != GeomAbs_BSplineSurface;
+bool is_spline(const TopoDS_Face& face) {
+  return BRepAdaptor_Surface(face, false).GetType() == GeomAbs_BSplineSurface;
 }
 
 struct BoxedFace {
@@ -136,7 +133,7 @@ class Converter {
 
   void add(const TopoDS_Face& face, double noise) {
     if (made_.IsBound(face)) return;
-    if (result_.faces++ >= kMostFaces) throw Standard_Failure("more faces than a fuse has time for");
+    if (result_.faces++ >= kMostSplineFaces) throw Standard_Failure("more faces than a fuse has time for");
     const Conversion conversion(face);
     const TopTools_IndexedMapOfShape edges = sub_shapes(face, TopAbs_EDGE);
     for (int i = 1; i <= edges.Extent(); ++i) {
@@ -145,7 +142,7 @@ class Converter {
       conversion.add_curve(edge);
       if (BRep_Tool::Degenerated(edge)) continue;
       const double gap = curve_gap(edge, conversion.face());
-      if (gap > std::max(noise, kWider * BRep_Tool::Tolerance(edge)))
+      if (gap > std::max(noise, kWiderAsSplines * BRep_Tool::Tolerance(edge)))
         throw Standard_Failure("a curve on a spline runs beside its edge");
       gaps_.emplace_back(edge, gap);
     }
@@ -156,9 +153,13 @@ class Converter {
   [[nodiscard]] std::optional<SplineFaces> solids(const std::vector<TopoDS_Shape>& before) {
     const BRep_Builder builder;
     for (const auto& [edge, gap] : gaps_) {
+      result_.tolerances.emplace_back(edge, BRep_Tool::Tolerance(edge));
       builder.UpdateEdge(edge, gap);
-      for (TopoDS_Iterator it(edge); it.More(); it.Next())
-        builder.UpdateVertex(TopoDS::Vertex(it.Value()), BRep_Tool::Tolerance(edge));
+      for (TopoDS_Iterator it(edge); it.More(); it.Next()) {
+        const TopoDS_Vertex vertex = TopoDS::Vertex(it.Value());
+        result_.tolerances.emplace_back(vertex, BRep_Tool::Tolerance(vertex));
+        builder.UpdateVertex(vertex, BRep_Tool::Tolerance(edge));
+      }
     }
     for (const TopoDS_Shape& solid : before) {
       result_.solids.push_back(rebuilt(solid));
@@ -203,13 +204,11 @@ class Converter {
 }  // namespace
 
 std::optional<SplineFaces> with_spline_faces_about_last(const std::vector<TopoDS_Shape>& solids) {
-  Bnd_Box all;
-  for (const TopoDS_Shape& solid : solids) all.Add(box_of(solid));
-  const double noise = kRoundingShare * diagonal_of(all);
+  const double noise = kRoundingShare * diagonal_of_all(solids);
   Converter converter;
   try {
     for (const TopoDS_Face& face : faces_about_last(solids, noise))
-      if (converts_exactly(face)) converter.add(face, noise);
+      if (converts_exactly(face) && !is_spline(face)) converter.add(face, noise);
     return converter.solids(solids);
   } catch (const Standard_Failure&) {
     converter.give_up();
@@ -221,6 +220,10 @@ void take_back(const SplineFaces& splines) {
   const BRep_Builder builder;
   const Handle(Geom2d_Curve) none;
   for (const auto& [edge, face] : splines.curves) builder.UpdateEdge(edge, none, face, 0.0);
+  // Backwards: of what was widened twice the first is what it was.
+  const ShapeFix_ShapeTolerance tolerance;
+  for (auto it = splines.tolerances.rbegin(); it != splines.tolerances.rend(); ++it)
+    tolerance.SetTolerance(it->first, it->second, it->first.ShapeType());
 }
 
 }  // namespace octet

@@ -19,6 +19,7 @@ struct SplineFaces {
   Handle(BRepTools_History) history;                          ///< of faces and solids
   int faces = 0;                                              ///< so many are splines now
   std::vector<std::pair<TopoDS_Edge, TopoDS_Face>> curves{};  ///< that edges got on those faces
+  std::vector<std::pair<TopoDS_Shape, double>> tolerances{};  ///< of edges and vertices as they were (mm)
 };
 
 /// Solids that may share faces and edges, with rational splines for the surfaces of all faces where the last
@@ -30,7 +31,8 @@ struct SplineFaces {
 [[nodiscard]] std::optional<SplineFaces> with_spline_faces_about_last(
     const std::vector<TopoDS_Shape>& solids);
 
-/// Takes the new curves from the edges, which the solids as they were have, too.
+/// Takes the new curves from the edges, which the solids as they were have, too, and what their tolerances
+/// were widened by.
 void take_back(const SplineFaces& splines);
 
 }  // namespace octet

@@ -2,7 +2,6 @@
 // OCCT's conversion, where it is exact, with curves on faces that are judged and, where need be, fitted.
 #include "geom/occt/spline_solids.h"
 
-#include <BRepAdaptor_Surface.hxx>
 #include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRep_Tool.hxx>
 #include <Standard_Failure.hxx>
@@ -15,31 +14,17 @@
 #include "geom/occt/gathered.h"
 #include "geom/occt/loose_curves.h"
 #include "geom/occt/shape_box.h"
+#include "geom/occt/spline_limits.h"
 #include "geom/occt/sub_shapes.h"
 #include "geom/tiny_features.h"
 
 namespace octet {
 namespace {
 
-/// A fuse of splines takes some ten times as long as one of planes and cylinders.
-constexpr int kMostFaces = 600;
-/// Edges may have a tolerance this many times as wide as before.
-constexpr double kWider = 2.0;
-
-bool converts_exactly(const TopoDS_Shape& shape) {
-  for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next()) {
-    const GeomAbs_SurfaceType type = BRepAdaptor_Surface(TopoDS::Face(it.Current()), false).GetType();
-    if (type == GeomAbs_OffsetSurface || type == GeomAbs_OtherSurface) return false;
-  }
+bool all_convert_exactly(const TopoDS_Shape& shape) {
+  for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next())
+    if (!converts_exactly(TopoDS::Face(it.Current()))) return false;
   return true;
-}
-
-double widest_gap(const TopoDS_Shape& shape) {
-  double widest = 0.0;
-  for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next())
-    for (TopExp_Explorer edge(face.Current(), TopAbs_EDGE); edge.More(); edge.Next())
-      widest = std::max(widest, curve_gap(TopoDS::Edge(edge.Current()), TopoDS::Face(face.Current())));
-  return widest;
 }
 
 }  // namespace
@@ -49,7 +34,8 @@ std::optional<SplineSolids> as_splines(const std::vector<TopoDS_Shape>& solids,
   std::vector<TopoDS_Shape> chosen;
   for (const std::size_t i : which) chosen.push_back(solids[i]);
   const TopoDS_Shape before = compound_of(chosen);
-  if (sub_shapes(before, TopAbs_FACE).Extent() > kMostFaces || !converts_exactly(before)) return std::nullopt;
+  if (sub_shapes(before, TopAbs_FACE).Extent() > kMostSplineFaces || !all_convert_exactly(before))
+    return std::nullopt;
   SplineSolids result{solids, new BRepTools_History()};
   try {
     BRepBuilderAPI_NurbsConvert convert(before);
@@ -75,10 +61,10 @@ std::optional<SplineSolids> as_splines(const std::vector<TopoDS_Shape>& solids,
   for (const std::size_t i : which) {
     const double noise = kRoundingShare * diagonal_of(box_of(solids[i]));
     static_cast<void>(fit_loose_curves(result.solids[i], noise));
-    allowed = std::max({allowed, noise, kWider * BRep_Tool::MaxTolerance(solids[i], TopAbs_EDGE)});
+    allowed = std::max({allowed, noise, kWiderAsSplines * BRep_Tool::MaxTolerance(solids[i], TopAbs_EDGE)});
   }
   for (const std::size_t i : which)
-    if (widest_gap(result.solids[i]) > allowed) return std::nullopt;
+    if (widest_curve_gap(result.solids[i]) > allowed) return std::nullopt;
   return result;
 }
 

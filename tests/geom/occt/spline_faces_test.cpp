@@ -5,15 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <BRepAdaptor_Surface.hxx>
-#include <BRepAlgoAPI_Cut.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRep_Tool.hxx>
-#include <Geom2d_Curve.hxx>
-#include <TopExp_Explorer.hxx>
-#include <TopTools_ListOfShape.hxx>
 #include <TopoDS.hxx>
 #include <gp_Trsf.hxx>
 #include <numbers>
@@ -24,13 +20,12 @@
 #include "geom/occt/shape_box.h"
 #include "geom/occt/shape_measures.h"
 #include "geom/occt/sub_shapes.h"
+#include "tests/geom/occt/solid_in.h"
 
 namespace octet::test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-
-TopoDS_Shape solid_in(const TopoDS_Shape& shape) { return TopExp_Explorer(shape, TopAbs_SOLID).Current(); }
 
 int count_splines(const TopoDS_Shape& shape) {
   int count = 0;
@@ -38,14 +33,6 @@ int count_splines(const TopoDS_Shape& shape) {
   for (int i = 1; i <= faces.Extent(); ++i)
     count += BRepAdaptor_Surface(TopoDS::Face(faces(i))).GetType() == GeomAbs_BSplineSurface ? 1 : 0;
   return count;
-}
-
-double widest_gap(const TopoDS_Shape& shape) {
-  double widest = 0.0;
-  for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next())
-    for (TopExp_Explorer edge(face.Current(), TopAbs_EDGE); edge.More(); edge.Next())
-      widest = std::max(widest, curve_gap(TopoDS::Edge(edge.Current()), TopoDS::Face(face.Current())));
-  return widest;
 }
 
 TEST(SplineFaces, FacesAboutTheLastSolidAreSplinesAndEdgesStay) {
@@ -65,7 +52,7 @@ TEST(SplineFaces, FacesAboutTheLastSolidAreSplinesAndEdgesStay) {
   }
   EXPECT_NEAR(refined_volume_of(splines->solids[0]), 500.0, 1e-4);
   EXPECT_NEAR(refined_volume_of(splines->solids[1]), 3.0 * kPi, 1e-4);
-  EXPECT_LT(widest_gap(splines->solids[1]), 1e-6);
+  EXPECT_LT(widest_curve_gap(splines->solids[1]), 1e-6);
 }
 
 TEST(SplineFaces, ASolidThatIsPlacedStaysWhereItIs) {
@@ -79,7 +66,7 @@ TEST(SplineFaces, ASolidThatIsPlacedStaysWhereItIs) {
   EXPECT_EQ(count_splines(splines->solids[1]), 2);
   EXPECT_NEAR(refined_volume_of(splines->solids[1]), 3.0 * kPi, 1e-4);
   EXPECT_NEAR(vertex_box_of(splines->solids[1]).CornerMin().X(), 4.0, 1e-6);
-  EXPECT_LT(widest_gap(splines->solids[1]), 1e-6);
+  EXPECT_LT(widest_curve_gap(splines->solids[1]), 1e-6);
   const GroupFuse fuse(splines->solids, {}, 0.0, 1e-6, kTearOfSplines);
   ASSERT_TRUE(fuse.sound());
   EXPECT_EQ(sub_shapes(compound_of(std::vector<TopoDS_Shape>{fuse.images()[0][0], fuse.images()[1][0]}),
@@ -95,12 +82,12 @@ TEST(SplineFaces, SeamsAndPolesHaveTheirCurves) {
   const auto of_ball = with_spline_faces_about_last({block, ball});
   ASSERT_TRUE(of_ball);
   EXPECT_NEAR(refined_volume_of(of_ball->solids[1]), 32.0 / 3.0 * kPi, 1e-3);
-  EXPECT_LT(widest_gap(of_ball->solids[1]), 1e-6);
+  EXPECT_LT(widest_curve_gap(of_ball->solids[1]), 1e-6);
   const auto of_ring =
       with_spline_faces_about_last({block, solid_in(BRepPrimAPI_MakeTorus(3.0, 1.0).Shape())});
   ASSERT_TRUE(of_ring);
   EXPECT_NEAR(refined_volume_of(of_ring->solids[1]), 6.0 * kPi * kPi, 1e-3);
-  EXPECT_LT(widest_gap(of_ring->solids[1]), 1e-6);
+  EXPECT_LT(widest_curve_gap(of_ring->solids[1]), 1e-6);
 }
 
 TEST(SplineFaces, WhatSolidsShareTheyShareStill) {
@@ -124,7 +111,10 @@ TEST(SplineFaces, TakenBackNothingIsLeft) {
   const auto splines = with_spline_faces_about_last({block, solid_in(BRepPrimAPI_MakeSphere(2.0).Shape())});
   ASSERT_TRUE(splines);
   ASSERT_FALSE(splines->curves.empty());
+  ASSERT_FALSE(splines->tolerances.empty());
   take_back(*splines);
+  for (const auto& [shape, tolerance] : splines->tolerances)
+    EXPECT_LE(BRep_Tool::MaxTolerance(shape, shape.ShapeType()), tolerance);
   for (const auto& [edge, face] : splines->curves) {
     double first = 0.0, last = 0.0;
     EXPECT_TRUE(BRep_Tool::CurveOnSurface(edge, face, first, last).IsNull());

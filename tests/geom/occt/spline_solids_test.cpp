@@ -27,6 +27,7 @@
 #include "geom/occt/fuse_attempts.h"
 #include "geom/occt/gathered.h"
 #include "geom/occt/sub_shapes.h"
+#include "tests/geom/occt/solid_in.h"
 #include "tests/support/notes.h"
 
 namespace octet::test {
@@ -39,8 +40,6 @@ double precise_volume(const TopoDS_Shape& shape) {
   BRepGProp::VolumeProperties(shape, properties, 1e-7);
   return properties.Mass();
 }
-
-TopoDS_Shape solid_in(const TopoDS_Shape& shape) { return TopExp_Explorer(shape, TopAbs_SOLID).Current(); }
 
 /// Along z, turned about y, then moved.
 TopoDS_Shape cone(double low, double high, double height, double angle, const gp_Vec& to) {
