@@ -6,14 +6,10 @@
 #include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
-#include <BSplCLib.hxx>
-#include <Geom2dConvert.hxx>
-#include <Geom2d_BSplineCurve.hxx>
-#include <Geom2d_TrimmedCurve.hxx>
+#include <Geom2d_Curve.hxx>
 #include <Precision.hxx>
 #include <ShapeFix_ShapeTolerance.hxx>
 #include <Standard_Failure.hxx>
-#include <TColStd_Array1OfReal.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_DataMapOfShapeShape.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -73,57 +69,49 @@ std::vector<TopoDS_Face> faces_about_last(const std::vector<TopoDS_Shape>& solid
   return found;
 }
 
-/// A curve in (u,v), of a range, as a spline of another range.
-Handle(Geom2d_Curve)
-    on_range(const Handle(Geom2d_Curve) & curve, double from, double to, double first, double last) {
-  const Handle(Geom2d_BSplineCurve) spline =
-      Geom2dConvert::CurveToBSplineCurve(new Geom2d_TrimmedCurve(curve, from, to));
-  TColStd_Array1OfReal knots(1, spline->NbKnots());
-  spline->Knots(knots);
-  BSplCLib::Reparametrize(first, last, knots);
-  spline->SetKnots(knots);
-  return Handle(Geom2d_Curve)(spline);
-}
-
-/// One face between its own edges on another surface.
+/// One face between its own edges on another surface, which has about the same parameters.
 class Conversion {
  public:
-  explicit Conversion(const TopoDS_Face& face) : old_(face), convert_(face, true) {
+  explicit Conversion(const TopoDS_Face& face) : old_(face) {
+    BRepBuilderAPI_NurbsConvert convert(face, true);
     const BRep_Builder builder;
-    converted_ = TopoDS::Face(convert_.Shape().Oriented(TopAbs_FORWARD));
-    builder.MakeFace(face_, BRep_Tool::Surface(converted_), BRep_Tool::Tolerance(face));
+    builder.MakeFace(face_, BRep_Tool::Surface(TopoDS::Face(convert.Shape())), BRep_Tool::Tolerance(face));
     for (TopoDS_Iterator wire(face); wire.More(); wire.Next()) builder.Add(face_, wire.Value());
   }
 
   [[nodiscard]] const TopoDS_Face& face() const { return face_; }
 
-  /// Gives an edge of the face, forward, its curve on it. Standard_Failure: there is none.
+  /// Gives an edge of the face, forward, its curve on it: fitted, from that on the old surface, for what OCCT
+  /// converts may begin on one side of a seam and go on from the other. Standard_Failure: there is none.
   void add_curve(const TopoDS_Edge& edge) const {
     const BRep_Builder builder;
-    const TopoDS_Edge made = TopoDS::Edge(convert_.ModifiedShape(edge).Oriented(TopAbs_FORWARD));
     double first = 0.0, last = 0.0;
-    BRep_Tool::Range(edge, old_, first, last);
-    const Handle(Geom2d_Curve) curve = of(made, first, last);
-    if (BRep_Tool::IsClosed(edge, old_)) {
-      const Handle(Geom2d_Curve) other = of(TopoDS::Edge(made.Reversed()), first, last);
-      builder.UpdateEdge(edge, curve, other, face_, Precision::Confusion());
-    } else {
-      builder.UpdateEdge(edge, curve, face_, Precision::Confusion());
-    }
+    const Handle(Geom2d_Curve) there = on_old(edge, first, last);
+    const Handle(Geom2d_Curve) back = on_old(TopoDS::Edge(edge.Reversed()), first, last);
+    const bool is_seam = BRep_Tool::IsClosed(edge, old_);
+    if (is_seam && is_used(edge, TopAbs_FORWARD) && is_used(edge, TopAbs_REVERSED))
+      builder.UpdateEdge(edge, there, back, face_, Precision::Confusion());
+    else
+      builder.UpdateEdge(edge, is_used(edge, TopAbs_REVERSED) ? back : there, face_, Precision::Confusion());
     builder.Range(edge, face_, first, last);
     fit_curve(edge, face_);
   }
 
  private:
-  [[nodiscard]] Handle(Geom2d_Curve) of(const TopoDS_Edge& made, double first, double last) const {
-    double from = 0.0, to = 0.0;
-    const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(made, converted_, from, to);
-    if (curve.IsNull()) throw Standard_Failure("a converted edge has no curve on its face");
-    return on_range(curve, from, to, first, last);
+  [[nodiscard]] Handle(Geom2d_Curve) on_old(const TopoDS_Edge& edge, double& first, double& last) const {
+    const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, old_, first, last);
+    if (curve.IsNull()) throw Standard_Failure("an edge has no curve on its face");
+    return curve;
   }
 
-  TopoDS_Face old_, converted_, face_;
-  BRepBuilderAPI_NurbsConvert convert_;
+  /// Of a seam the face may have one side, and end where the other would be.
+  [[nodiscard]] bool is_used(const TopoDS_Edge& edge, TopAbs_Orientation way) const {
+    for (TopExp_Explorer it(old_, TopAbs_EDGE); it.More(); it.Next())
+      if (it.Current().IsSame(edge) && it.Current().Orientation() == way) return true;
+    return false;
+  }
+
+  TopoDS_Face old_, face_;
 };
 
 /// Faces are added until one cannot be.

@@ -8,11 +8,11 @@
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Face.hxx>
 #include <algorithm>
 
-#include "geom/occt/curve_gaps.h"
+#include "geom/occt/converted_curves.h"
 #include "geom/occt/gathered.h"
-#include "geom/occt/loose_curves.h"
 #include "geom/occt/shape_box.h"
 #include "geom/occt/spline_limits.h"
 #include "geom/occt/sub_shapes.h"
@@ -54,18 +54,18 @@ std::optional<SplineSolids> as_splines(const std::vector<TopoDS_Shape>& solids,
         result.history->AddModified(shape, made);
       }
     }
+    double allowed = 0.0;
+    for (const std::size_t i : which) {
+      const double noise = kRoundingShare * diagonal_of(box_of(solids[i]));
+      mend_conversion(solids[i], convert, noise);
+      allowed = std::max({allowed, noise, kWiderAsSplines * BRep_Tool::MaxTolerance(solids[i], TopAbs_EDGE)});
+    }
+    for (const std::size_t i : which)
+      if (!lower_tolerances_to(result.solids[i], allowed)) return std::nullopt;
+    return result;
   } catch (const Standard_Failure&) {
     return std::nullopt;
   }
-  double allowed = 0.0;
-  for (const std::size_t i : which) {
-    const double noise = kRoundingShare * diagonal_of(box_of(solids[i]));
-    static_cast<void>(fit_loose_curves(result.solids[i], noise));
-    allowed = std::max({allowed, noise, kWiderAsSplines * BRep_Tool::MaxTolerance(solids[i], TopAbs_EDGE)});
-  }
-  for (const std::size_t i : which)
-    if (widest_curve_gap(result.solids[i]) > allowed) return std::nullopt;
-  return result;
 }
 
 }  // namespace octet

@@ -5,13 +5,16 @@
 #include <gtest/gtest.h>
 
 #include <BRepAdaptor_Surface.hxx>
+#include <BRepAlgoAPI_Common.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRep_Tool.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <gp_Trsf.hxx>
+#include <map>
 #include <numbers>
 
 #include "geom/occt/curve_gaps.h"
@@ -88,6 +91,30 @@ TEST(SplineFaces, SeamsAndPolesHaveTheirCurves) {
   ASSERT_TRUE(of_ring);
   EXPECT_NEAR(refined_volume_of(of_ring->solids[1]), 6.0 * kPi * kPi, 1e-3);
   EXPECT_LT(widest_curve_gap(of_ring->solids[1]), 1e-6);
+}
+
+/// Half of a cylinder that ends at its seam: the edge there has a curve on either side of the cylinder, and
+/// one of them lies beyond the face.
+TEST(SplineFaces, OfASeamThatIsAnEndOneSideIsTaken) {
+  const TopoDS_Shape whole = BRepPrimAPI_MakeCylinder(4.0, 2.0).Shape();
+  const TopoDS_Shape half = solid_in(
+      BRepAlgoAPI_Common(whole, BRepPrimAPI_MakeBox(gp_Pnt(-5, 0, -5), gp_Pnt(5, 5, 5)).Shape()).Shape());
+  int ends = 0;
+  const TopTools_IndexedMapOfShape faces = sub_shapes(half, TopAbs_FACE);
+  for (int i = 1; i <= faces.Extent(); ++i) {
+    const TopoDS_Face face = TopoDS::Face(faces(i));
+    std::map<bool, int> uses;
+    for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next())
+      ++uses[BRep_Tool::IsClosed(TopoDS::Edge(it.Current()), face)];
+    ends += uses[true];
+  }
+  ASSERT_EQ(ends, 1) << "else this test needs others";
+  const auto splines =
+      with_spline_faces_about_last({BRepPrimAPI_MakeBox(gp_Pnt(-9, -9, -9), gp_Pnt(3, 9, 9)).Shape(), half});
+  ASSERT_TRUE(splines);
+  EXPECT_EQ(count_splines(splines->solids[1]), 4);
+  EXPECT_LT(widest_curve_gap(splines->solids[1]), 1e-6);
+  EXPECT_NEAR(refined_volume_of(splines->solids[1]), 16.0 * kPi, 1e-3);
 }
 
 TEST(SplineFaces, WhatSolidsShareTheyShareStill) {
