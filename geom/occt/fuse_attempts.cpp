@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "geom/occt/contact_circle.h"
+#include "geom/occt/fuse_tolerances.h"
 #include "geom/occt/shape_box.h"
 #include "geom/occt/spline_solids.h"
 #include "geom/tiny_features.h"
@@ -19,19 +20,8 @@
 namespace octet {
 namespace {
 
-/// Tolerances of a fuse, as shares of its solids' diagonal, none of them more than a share of the smallest
-/// solid's: none, then up to the noise of files, then, for walls askew of which a part only is noise, more.
-/// What these give must leave nothing to be wished for.
-struct Step {
-  double of_all, of_smallest;
-};
-constexpr std::array<Step, 6> kSteps{
-    {{0.0, 1e-5}, {1e-8, 1e-5}, {1e-7, 1e-5}, {1e-6, 1e-5}, {4e-6, 3e-5}, {1e-5, 5e-5}}};
 /// Of a part with more pairs at odds than this no pair is fused by itself.
 constexpr std::size_t kMostPairs = 40;
-/// A larger group is not fused again with some as splines, which takes all of it: without them, and late with
-/// what is near them, is less.
-constexpr std::size_t kMostWithSplines = 8;
 /// So many of a group are tried as splines each by itself, before all that are at odds.
 constexpr std::size_t kMostAlone = 3;
 
@@ -112,13 +102,10 @@ class Attempts {
         contacts_(contacts_of(solids, kContactShare * diagonal_)) {}
 
   std::unique_ptr<GroupFuse> run() {
-    double last = -1.0;
-    for (const double tolerance : tolerances()) {
-      if (tolerance <= last) continue;
-      last = tolerance;
+    for (const double tolerance : fuse_tolerances(solids_, noise_)) {
       if (best_ && is_clean_but_for_gaps() && tolerance < best_->near().narrowest) continue;
       if (!attempt(contacts_, tolerance) && !contacts_.empty()) attempt({}, tolerance);
-      if (best_->clean()) break;
+      if (best_->clean() || is_good_for_many()) break;
       if (tolerance == 0.0 && !pairs_give_hope()) return std::move(best_);
     }
     if (!best_->sound()) try_splines();
@@ -126,19 +113,13 @@ class Attempts {
   }
 
  private:
-  /// Ascending, some twice.
-  [[nodiscard]] std::vector<double> tolerances() const {
-    double smallest = diagonal_;
-    for (const TopoDS_Shape& solid : solids_) smallest = std::min(smallest, diagonal_of(box_of(solid)));
-    std::vector<double> all{noise_};
-    for (const Step& step : kSteps)
-      all.push_back(std::min(step.of_all * diagonal_, step.of_smallest * smallest));
-    std::sort(all.begin(), all.end());
-    return all;
-  }
-
   [[nodiscard]] bool is_clean_but_for_gaps() const {
     return best_->sound() && best_->thin_pieces() + best_->slivers() == 0;
+  }
+
+  /// Slivers alone are no reason to fuse many again.
+  [[nodiscard]] bool is_good_for_many() const {
+    return solids_.size() > kMostAgain && best_->sound() && best_->thin_pieces() + best_->near().count == 0;
   }
 
   using Badness = std::tuple<bool, std::size_t, int, int>;
@@ -172,8 +153,8 @@ class Attempts {
     if (at_odds.empty()) {
       const bool worth_it = 2 * count_of(which, best_->conflicts()) >= best_->conflicts().size();
       if (worth_it && attempt_as_splines({which.begin(), which.end()}, joined_so, tolerance)) return false;
-      at_odds.push_back(worst);
     }
+    if (at_odds.empty() || (!which.empty() && solids_.size() > kMostAgain)) at_odds.push_back(worst);
     best_->blame(std::move(at_odds));
     return false;
   }
@@ -204,16 +185,17 @@ class Attempts {
 
   /// Two solids that nothing else joins are fused with `tolerance`, and with more up to noise where something
   /// thin, gaps or slivers are left. A group must have none of these, for there is another way: it can be
-  /// fused without the solid to blame, and that with what becomes of the others.
+  /// fused without the solid to blame, and that with what becomes of the others, which is less work where
+  /// they are many.
   bool attempt_as_splines(const std::vector<std::size_t>& which, const std::vector<Pair>& at_odds,
                           double tolerance) {
-    if (solids_.size() > kMostWithSplines) return false;
+    if (solids_.size() > kMostAgain) return false;
     const std::optional<SplineSolids> splines = as_splines(solids_, which);
     if (!splines) return false;
     const bool is_group = solids_.size() > 2;
     std::unique_ptr<GroupFuse> best;
     double last = -1.0;
-    for (const double step : tolerances()) {
+    for (const double step : fuse_tolerances(solids_, noise_)) {
       const double more = std::max(step, tolerance);
       if (more <= last || (best && more > thin_)) continue;
       last = more;

@@ -116,8 +116,13 @@ class Owners {
   std::vector<std::vector<std::size_t>> of_;
 };
 
-/// Twice the volume over the surface: of a plate that is its thickness.
-double thickness_of(const TopoDS_Shape& solid) { return 2.0 * std::abs(volume_of(solid)) / area_of(solid); }
+/// Whether twice the volume over the area, of a plate that is its thickness, is less than `thin`. The area,
+/// which takes as long as the volume, is asked for only where a solid of its size may have so much of it.
+bool is_thin(const TopoDS_Shape& solid, double thin) {
+  constexpr double kMostAreas = 50.0;
+  const double volume = 2.0 * std::abs(volume_of(solid)), diagonal = diagonal_of(box_of(solid));
+  return volume < thin * kMostAreas * diagonal * diagonal && volume < thin * area_of(solid);
+}
 
 /// The edges that end at each vertex.
 TopTools_IndexedDataMapOfShapeListOfShape edges_of_vertices(const std::vector<TopoDS_Shape>& shapes) {
@@ -251,7 +256,7 @@ void GroupFuse::count_thin_pieces(double thin) {
     const std::vector<std::size_t>& of = owners.of(k);
     const bool is_part =
         std::any_of(of.begin(), of.end(), [&](std::size_t i) { return images_[i].size() > 1; });
-    if ((is_part || of.size() > 1) && thickness_of(owners.shape(k)) < thin) ++thin_pieces_;
+    if ((is_part || of.size() > 1) && is_thin(owners.shape(k), thin)) ++thin_pieces_;
   }
 }
 

@@ -10,6 +10,7 @@
 #include <numeric>
 #include <optional>
 
+#include "geom/occt/fuse_tolerances.h"
 #include "geom/occt/shape_box.h"
 #include "geom/occt/spline_faces.h"
 #include "geom/occt/spline_solids.h"
@@ -24,7 +25,7 @@ constexpr std::array<TopAbs_ShapeEnum, 3> kPartTypes{TopAbs_FACE, TopAbs_EDGE, T
 class LateAttempts {
  public:
   LateAttempts(const LateGroup& group, double noise)
-      : others_(group.others), solids_(group.near), meant_(group.at_odds) {
+      : others_(group.others), solids_(group.near), meant_(group.at_odds), noise_(noise) {
     solids_.push_back(group.late);
     if (meant_.empty()) {
       meant_.resize(group.near.size());
@@ -34,25 +35,33 @@ class LateAttempts {
   }
 
   std::unique_ptr<GroupFuse> run() const {
-    if (auto plain = fuse(solids_, 0.0); is_good(*plain)) return plain;
+    if (auto plain = attempt(solids_, 0.0, [](GroupFuse&) {})) return plain;
     if (const std::optional<SplineFaces> about = with_spline_faces_about_last(solids_)) {
-      auto fused = fuse(about->solids, kTearOfSplines);
-      fused->began_with(about->history, {}, about->faces);
-      if (is_good(*fused)) return fused;
+      const auto tell = [&](GroupFuse& fuse) { fuse.began_with(about->history, {}, about->faces); };
+      if (auto fused = attempt(about->solids, kTearOfSplines, tell)) return fused;
       take_back(*about);
     }
     const std::vector<std::size_t> the_last{solids_.size() - 1};
     if (const std::optional<SplineSolids> last = as_splines(solids_, the_last)) {
-      auto fused = fuse(last->solids, kTearOfSplines);
-      fused->began_with(last->history, the_last);
-      if (is_good(*fused)) return fused;
+      const auto tell = [&](GroupFuse& fuse) { fuse.began_with(last->history, the_last); };
+      if (auto fused = attempt(last->solids, kTearOfSplines, tell)) return fused;
     }
     return nullptr;
   }
 
  private:
-  [[nodiscard]] std::unique_ptr<GroupFuse> fuse(const std::vector<TopoDS_Shape>& solids, double tear) const {
-    return std::make_unique<GroupFuse>(solids, std::vector<TopoDS_Edge>(), 0.0, thin_, tear);
+  /// With more tolerance only where nothing but something thin, gaps or slivers is wrong.
+  template <class Tell>
+  [[nodiscard]] std::unique_ptr<GroupFuse> attempt(const std::vector<TopoDS_Shape>& solids, double tear,
+                                                   const Tell& tell) const {
+    for (const double tolerance : fuse_tolerances(solids_, noise_)) {
+      auto fuse = std::make_unique<GroupFuse>(solids, std::vector<TopoDS_Edge>(), tolerance, thin_, tear);
+      tell(*fuse);
+      if (is_good(*fuse)) return fuse;
+      const bool worth_more = tolerance > 0.0 || (fuse->sound() && !fuse->clean());
+      if (!worth_more || solids_.size() > kMostAgain) break;
+    }
+    return nullptr;
   }
 
   [[nodiscard]] bool is_good(const GroupFuse& fuse) const {
@@ -70,7 +79,7 @@ class LateAttempts {
   const std::vector<TopoDS_Shape>& others_;
   std::vector<TopoDS_Shape> solids_;
   std::vector<std::size_t> meant_;
-  double thin_;
+  double noise_, thin_;
 };
 
 }  // namespace

@@ -23,7 +23,8 @@ struct LateGroup {
 };
 
 /// Fuses `near` and, last, `late`: as they are, with splines for the surfaces of faces where they come near
-/// each other (geom/occt/spline_faces), or with the last as splines all over (geom/occt/spline_solids).
+/// each other (geom/occt/spline_faces), or with the last as splines all over (geom/occt/spline_solids); up to
+/// eight solids with tolerances, too, where nothing but slivers, gaps or something thin is wrong.
 /// Nothing where none of these is clean, where a solid would not keep its volume, or where the others cannot
 /// follow. `noise` (mm): what is thinner lies there by mistake.
 [[nodiscard]] std::unique_ptr<GroupFuse> late_fuse(const LateGroup& group, double noise);

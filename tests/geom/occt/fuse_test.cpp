@@ -19,7 +19,9 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <gp_Trsf.hxx>
 #include <numbers>
 #include <utility>
@@ -27,6 +29,8 @@
 #include "base/error.h"
 #include "geom/model_check.h"
 #include "geom/occt/from_shape.h"
+#include "geom/occt/fuse_attempts.h"
+#include "geom/occt/fuse_tolerances.h"
 #include "geom/occt/gathered.h"
 #include "geom/occt/sub_shapes.h"
 #include "geom/tiny_features.h"
@@ -110,6 +114,36 @@ TEST(Fuse, TheLargestToleranceThatTheSmallestSolidAllowsIsTried) {
   const Model model = model_from_shape(compound_of({large, small}));
   EXPECT_EQ(model.count(3), 2);
   EXPECT_EQ(model.count(2), 12) << "one of them between the two";
+}
+
+TEST(Fuse, TolerancesAscendFromNone) {
+  const std::vector<double> none = fuse_tolerances({box(0, 1), box(1, 2)}, 0.0);
+  EXPECT_EQ(none.front(), 0.0);
+  EXPECT_EQ(std::adjacent_find(none.begin(), none.end(), std::greater_equal<>()), none.end());
+  EXPECT_LT(none.back(), 1e-4);
+  const std::vector<double> more = fuse_tolerances({box(0, 1), box(1, 2)}, 1e-3);
+  EXPECT_EQ(more.size(), none.size() + 1);
+  EXPECT_EQ(more.back(), 1e-3);
+}
+
+/// A row of boxes, the second a little wider than the others: the first and the third leave slivers of its
+/// sides.
+std::vector<TopoDS_Shape> row_with_slivers(int count) {
+  std::vector<TopoDS_Shape> row;
+  for (int i = 0; i < count; ++i)
+    row.push_back(BRepPrimAPI_MakeBox(gp_Pnt(i, 0, 0), gp_Pnt(i + 1, i == 1 ? 1 + 8e-7 : 1, 1)).Shape());
+  return row;
+}
+
+TEST(Fuse, OfManySolidsSliversStayForAnotherFuseTakesLong) {
+  EXPECT_GT(GroupFuse(row_with_slivers(3), {}, 0.0, 1e-6).slivers(), 0) << "else this test needs others";
+  const auto few = best_fuse(row_with_slivers(3), 0.0);
+  EXPECT_TRUE(few->clean());
+  EXPECT_GT(few->tolerance(), 0.0);
+  const auto many = best_fuse(row_with_slivers(12), 0.0);
+  EXPECT_TRUE(many->sound());
+  EXPECT_GT(many->slivers(), 0);
+  EXPECT_EQ(many->tolerance(), 0.0);
 }
 
 TEST(Fuse, AGapThatIsMoreThanNoiseStays) {

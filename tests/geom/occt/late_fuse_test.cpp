@@ -125,5 +125,15 @@ TEST(LateFuse, SolidsBeyondFollowOneForOneOrNothingIsDone) {
       << "six and one under the small box, and the other's five";
 }
 
+TEST(LateFuse, WhatLeavesASliverIsFusedWithATolerance) {
+  const TopoDS_Shape low = BRepPrimAPI_MakeBox(gp_Pnt(0, 0, 0), gp_Pnt(1, 1, 1)).Shape();
+  const TopoDS_Shape over = BRepPrimAPI_MakeBox(gp_Pnt(0, 0, 1), gp_Pnt(1, 1 + 8e-7, 2)).Shape();
+  EXPECT_GT(GroupFuse({low, over}, {}, 0.0, 1e-6).slivers(), 0) << "else this test needs others";
+  const auto fuse = late_fuse({over, {low}, {}, {}}, 0.0);
+  ASSERT_TRUE(fuse);
+  EXPECT_TRUE(fuse->clean());
+  EXPECT_GT(fuse->tolerance(), 0.0);
+}
+
 }  // namespace
 }  // namespace octet::test
