@@ -263,6 +263,7 @@ MeshResult mesh_apart(const Model& model, const MeshOptions& options, Observer& 
     append_report(body, part.report, whole.report);
   }
   whole.report.quality = quality_summary(whole.mesh);
+  whole.report.regions = region_measures(whole.mesh, model);
   for (int f = 1; f <= model.count(2); ++f)
     if (model.face(f).region[0] == model.face(f).region[1])
       whole.report.faults.push_back(not_meshed(model, f));

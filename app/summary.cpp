@@ -17,6 +17,8 @@ namespace {
 
 constexpr double kDegree = 180.0 / M_PI;
 constexpr std::size_t kShownFaults = 10;
+/// Of a region's volume: what is more off than this is hardly meant.
+constexpr double kFarOff = 0.05;
 
 std::string fault_line(const Model& model, const Fault& fault) {
   std::string line = fault.entity.valid() ? model.describe(fault.entity) + " " : std::string();
@@ -84,6 +86,19 @@ std::string measure_line(const char* name, const char* unit, double mesh, double
   return fmt::format("  {:<9}{:.6g} {}, CAD {:.6g} ({:+.3g} %)\n", name, mesh, unit, cad, error);
 }
 
+/// Of one region the volume of all tells it.
+std::string regions_line(const Model& model, const std::vector<RegionMeasure>& regions) {
+  const RegionMeasure* region = least_alike(regions);
+  if (!region || regions.size() < 2) return {};
+  const std::string advice = std::abs(region->relative_error()) < kFarOff
+                                 ? std::string()
+                                 : fmt::format(" -> --size-at Region{}={:.2g} is finer there", region->tag,
+                                               size_that_rounds(model, region->tag));
+  return fmt::format("  {:<9}{}, their volumes off by {:+.3g} % at most: {} {:.4g} mm^3, CAD {:.4g}{}\n",
+                     "regions", regions.size(), 100.0 * region->relative_error(),
+                     model.describe(model_region(region->tag)), region->volume, region->cad_volume, advice);
+}
+
 std::string distance_line(const Model& model, const std::optional<Farthest>& farthest) {
   if (!farthest) return {};
   return fmt::format("  {:<9}{:.3g} mm at most, from {} at {}\n", "distance", farthest->distance,
@@ -117,6 +132,7 @@ std::string mesh_summary(const Model& model, const MeshReport& report) {
   text += shortfall_line(model, report.shortfall);
   text += quality_line("quality", report.quality);
   text += measure_line("volume", "mm^3", report.volume, report.cad_volume);
+  text += regions_line(model, report.regions);
   text += measure_line("area", "mm^2", report.area, report.cad_area);
   text += distance_line(model, report.acceptance.farthest());
   text += contact_line(model);
