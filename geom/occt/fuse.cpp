@@ -184,14 +184,14 @@ class Fuser {
   void join_late(std::size_t late) {
     KeptApart& kept =
         *std::find_if(apart_.begin(), apart_.end(), [&](const KeptApart& one) { return one.solid == late; });
-    kept.late = late_tried_++ < kMostLate && joins_late(late, kept.other);
+    kept.late = late_tried_++ < kMostLate && joins_late(kept);
     is_apart_[late] = !kept.late;
   }
 
-  bool joins_late(std::size_t late, std::size_t at_odds_with) {
-    Bnd_Box box = box_of(set_.solids[late]);
+  bool joins_late(const KeptApart& kept) {
+    Bnd_Box box = box_of(set_.solids[kept.solid]);
     box.Enlarge(std::max(noise_, kRoundingShare * diagonal_of(box)));
-    LateGroup group{set_.solids[late], {}, {}, {}};
+    LateGroup group{set_.solids[kept.solid], {}, {}, {}, kept.splines_join};
     TopTools_IndexedMapOfShape near;
     for (std::size_t i = 0; i < images_.size(); ++i)
       for (const TopoDS_Shape& image : images_[i]) {
@@ -203,13 +203,13 @@ class Fuser {
       }
     if (near.IsEmpty()) return true;
     group.near.assign(near.cbegin(), near.cend());
-    for (const TopoDS_Shape& image : images_[at_odds_with])
+    for (const TopoDS_Shape& image : images_[kept.other])
       if (const int index = near.FindIndex(image); index > 0)
         group.at_odds.push_back(static_cast<std::size_t>(index) - 1);
     std::vector<TopoDS_Shape> solids = group.near;
     solids.push_back(group.late);
     const auto fuse = fuse_of(solids, true, [&] { return late_fuse(group, noise_); });
-    if (fuse) accept_late(near, late, *fuse);
+    if (fuse) accept_late(near, kept.solid, *fuse);
     return fuse != nullptr;
   }
 
@@ -243,7 +243,7 @@ class Fuser {
         guilty[i] = {{i, i}, middle_of(set_.solids[group[i]]), "the general fuse failed"};
     for (const auto& [i, conflict] : guilty) {
       const std::size_t other = conflict.solids[conflict.solids[0] == i ? 1 : 0];
-      apart_.push_back({group[i], group[other], conflict.place, conflict.cause});
+      apart_.push_back({group[i], group[other], conflict.place, conflict.cause, conflict.splines_join});
       is_apart_[group[i]] = true;
       if (!fuse.failed()) late_.push_back(group[i]);
     }

@@ -19,6 +19,7 @@ struct KeptApart {
   std::size_t other = 0;      ///< the solid it is at odds with; itself: none
   Vec3 place = Vec3::Zero();  ///< where
   std::string cause;          ///< completes "is not joined with what it touches: "
+  bool splines_join = false;  ///< the two are joined by themselves, but only as splines
   bool late = false;          ///< it was joined in the end, with what had become of the others
 };
 

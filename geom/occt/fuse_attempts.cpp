@@ -132,29 +132,33 @@ class Attempts {
   /// splines.
   bool pairs_give_hope() {
     if (best_->sound() || best_->failed() || solids_.size() < 3) return true;
-    std::vector<FuseConflict> at_odds;
+    std::vector<FuseConflict> at_odds, need_splines;
     std::set<std::size_t> which;
     std::vector<Pair> joined_so;
     double tolerance = 0.0;
-    std::size_t most = 0;
-    FuseConflict worst;
+    std::size_t most = 0, worst = 0;
     for (const PairFuse& pair : fuse_pairs(solids_, best_->conflicts(), noise_)) {
       tolerance = std::max(tolerance, pair.tolerance);
       if (!pair.joined) at_odds.push_back(pair.conflict);
       if (pair.as_splines.empty()) continue;
       which.insert(pair.as_splines.begin(), pair.as_splines.end());
       joined_so.push_back(pair.conflict.solids);
+      need_splines.push_back(pair.conflict);
+      need_splines.back().splines_join = true;
       const std::size_t count = count_of(pair.as_splines, best_->conflicts());
       if (count < most) continue;
       most = count;
-      worst = pair.conflict;
+      worst = need_splines.size() - 1;
     }
     if (at_odds.empty() && which.empty()) return true;
     if (at_odds.empty()) {
       const bool worth_it = 2 * count_of(which, best_->conflicts()) >= best_->conflicts().size();
       if (worth_it && attempt_as_splines({which.begin(), which.end()}, joined_so, tolerance)) return false;
     }
-    if (at_odds.empty() || (!which.empty() && solids_.size() > kMostAgain)) at_odds.push_back(worst);
+    if (solids_.size() > kMostAgain)
+      at_odds.insert(at_odds.end(), need_splines.begin(), need_splines.end());
+    else if (at_odds.empty())
+      at_odds.push_back(need_splines[worst]);
     best_->blame(std::move(at_odds));
     return false;
   }

@@ -16,7 +16,8 @@ namespace octet {
 /// less than the whole group: where nothing joins the two, nothing is tried on the group. Two that no
 /// tolerance joins are fused with one, the other or both as splines (geom/occt/spline_solids), and where that
 /// joins them so is the group; so are the solids to blame in a group that no tolerance joins. Of more than
-/// eight solids slivers are no reason to try another tolerance.
+/// eight solids slivers are no reason to try another tolerance, and all pairs that only splines join are told
+/// at once.
 /// `noise` (mm): a tolerance, too, where it is more than what is tried else, and what is thinner counts as
 /// thin.
 [[nodiscard]] std::unique_ptr<GroupFuse> best_fuse(const std::vector<TopoDS_Shape>& solids, double noise);

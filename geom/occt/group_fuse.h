@@ -23,6 +23,7 @@ struct FuseConflict {
   std::array<std::size_t, 2> solids{0, 0};
   Vec3 place = Vec3::Zero();
   std::string cause;
+  bool splines_join = false;  ///< two that are joined by themselves, but only as splines
 };
 
 /// Of splines, which nothing else joins, edges may end this share of their length from their vertices.

@@ -25,7 +25,11 @@ constexpr std::array<TopAbs_ShapeEnum, 3> kPartTypes{TopAbs_FACE, TopAbs_EDGE, T
 class LateAttempts {
  public:
   LateAttempts(const LateGroup& group, double noise)
-      : others_(group.others), solids_(group.near), meant_(group.at_odds), noise_(noise) {
+      : others_(group.others),
+        solids_(group.near),
+        meant_(group.at_odds),
+        splines_join_(group.splines_join),
+        noise_(noise) {
     solids_.push_back(group.late);
     if (meant_.empty()) {
       meant_.resize(group.near.size());
@@ -35,7 +39,8 @@ class LateAttempts {
   }
 
   std::unique_ptr<GroupFuse> run() const {
-    if (auto plain = attempt(solids_, 0.0, [](GroupFuse&) {})) return plain;
+    if (!splines_join_ || solids_.size() <= kMostAgain)
+      if (auto plain = attempt(solids_, 0.0, [](GroupFuse&) {})) return plain;
     if (const std::optional<SplineFaces> about = with_spline_faces_about_last(solids_)) {
       const auto tell = [&](GroupFuse& fuse) { fuse.began_with(about->history, {}, about->faces); };
       if (auto fused = attempt(about->solids, kTearOfSplines, tell)) return fused;
@@ -79,6 +84,7 @@ class LateAttempts {
   const std::vector<TopoDS_Shape>& others_;
   std::vector<TopoDS_Shape> solids_;
   std::vector<std::size_t> meant_;
+  bool splines_join_;
   double noise_, thin_;
 };
 

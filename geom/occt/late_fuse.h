@@ -20,11 +20,13 @@ struct LateGroup {
   std::vector<TopoDS_Shape> near;    ///< solids about it
   std::vector<std::size_t> at_odds;  ///< of which it must have an edge in common with one; none: with any
   std::vector<TopoDS_Shape> others;  ///< solids farther off, which may share faces and edges with those near
+  bool splines_join = false;         ///< with what it was at odds with, by themselves, and nothing else does
 };
 
 /// Fuses `near` and, last, `late`: as they are, with splines for the surfaces of faces where they come near
 /// each other (geom/occt/spline_faces), or with the last as splines all over (geom/occt/spline_solids); up to
-/// eight solids with tolerances, too, where nothing but slivers, gaps or something thin is wrong.
+/// eight solids with tolerances, too, where nothing but slivers, gaps or something thin is wrong; more than
+/// eight not as they are where only splines join it with what it was at odds with.
 /// Nothing where none of these is clean, where a solid would not keep its volume, or where the others cannot
 /// follow. `noise` (mm): what is thinner lies there by mistake.
 [[nodiscard]] std::unique_ptr<GroupFuse> late_fuse(const LateGroup& group, double noise);

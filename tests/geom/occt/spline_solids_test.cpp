@@ -28,6 +28,7 @@
 #include "geom/occt/converted_curves.h"
 #include "geom/occt/curve_gaps.h"
 #include "geom/occt/from_shape.h"
+#include "geom/occt/fuse.h"
 #include "geom/occt/fuse_attempts.h"
 #include "geom/occt/gathered.h"
 #include "geom/occt/sub_shapes.h"
@@ -174,6 +175,42 @@ TEST(SplineSolids, AGroupIsJoinedWithThoseThatNeedItAsSplines) {
   EXPECT_NEAR(sum_of(fuse->images()[0]), volume_of_cone(1.75, 2.0, 3.25), 1e-4);
   EXPECT_NEAR(sum_of(fuse->images()[1]), volume_of_cone(1.0, 0.75, 1.25), 1e-4);
   EXPECT_NEAR(sum_of(fuse->images()[2]), 4.0 * 6.0 * 1.8, 1e-4);
+}
+
+/// Two such pairs of cones, each with boxes on it: all that splines join stand apart at once, for a large
+/// group is not fused with them, and each is joined late.
+TEST(SplineSolids, OfAManyAllThatNeedItStandApartAtOnce) {
+  std::vector<TopoDS_Shape> solids;
+  const gp_Vec apart(4.0, 0.0, 0.0);
+  for (const TopoDS_Shape& cone : cones_at_odds()) {
+    gp_Trsf beside;
+    beside.SetTranslation(apart);
+    solids.push_back(cone);
+    solids.push_back(BRepBuilderAPI_Transform(cone, beside, true).Shape());
+  }
+  for (int i = 0; i < 5; ++i)  // a row that stands on the first cone of both
+    solids.push_back(BRepPrimAPI_MakeBox(gp_Pnt(i - 1, -3, 2.2), gp_Pnt(i, 3, 4)).Shape());
+  const auto fuse = best_fuse(solids, 0.0);
+  ASSERT_EQ(fuse->conflicts().size(), 2u);
+  for (const FuseConflict& conflict : fuse->conflicts()) {
+    EXPECT_TRUE(conflict.splines_join);
+    EXPECT_EQ(conflict.solids[0] + 2, conflict.solids[1]);
+  }
+  SolidSet set{solids, new BRepTools_History(), {}};
+  std::vector<KeptApart> kept;
+  std::vector<DoneFuse> done;
+  fuse_touching(set, 0.0, kept, done);
+  ASSERT_EQ(kept.size(), 2u);
+  EXPECT_EQ(done.size(), 4u) << "the group, what is left of it, and the two that come late";
+  for (const KeptApart& one : kept) {
+    EXPECT_TRUE(one.splines_join);
+    EXPECT_TRUE(one.late);
+  }
+  for (const TopoDS_Shape& solid : solids) {
+    double volume = 0.0;
+    for (const TopoDS_Shape& image : set.history->Modified(solid)) volume += precise_volume(image);
+    EXPECT_NEAR(volume, precise_volume(solid), 1e-3);
+  }
 }
 
 }  // namespace
