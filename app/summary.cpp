@@ -90,7 +90,7 @@ std::string measure_line(const char* name, const char* unit, double mesh, double
 std::string regions_line(const Model& model, const std::vector<RegionMeasure>& regions) {
   const RegionMeasure* region = least_alike(regions);
   if (!region || regions.size() < 2) return {};
-  const std::string advice = std::abs(region->relative_error()) < kFarOff
+  const std::string advice = region->tets == 0 || std::abs(region->relative_error()) < kFarOff
                                  ? std::string()
                                  : fmt::format(" -> --size-at Region{}={:.2g} is finer there", region->tag,
                                                size_that_rounds(model, region->tag));
