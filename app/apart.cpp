@@ -49,6 +49,11 @@ void append_faults(const Model& body, const std::vector<Fault>& part, std::vecto
 
 /// Claims come in the same order from every body.
 void append_claims(const Model& body, const Acceptance& part, Acceptance& whole) {
+  for (std::size_t r = 1; r < part.filled.size(); ++r) {
+    const auto tag = static_cast<std::size_t>(whole_tags(body, 3)[r]);
+    whole.filled.resize(std::max(whole.filled.size(), tag + 1), 0.0);
+    whole.filled[tag] = part.filled[r];
+  }
   for (const Claim& claim : part.claims) {
     const auto known = std::find_if(whole.claims.begin(), whole.claims.end(),
                                     [&](const Claim& c) { return c.name == claim.name; });
@@ -263,7 +268,6 @@ MeshResult mesh_apart(const Model& model, const MeshOptions& options, Observer& 
     append_report(body, part.report, whole.report);
   }
   whole.report.quality = quality_summary(whole.mesh);
-  whole.report.regions = region_measures(whole.mesh, model);
   for (int f = 1; f <= model.count(2); ++f)
     if (model.face(f).region[0] == model.face(f).region[1])
       whole.report.faults.push_back(not_meshed(model, f));

@@ -21,8 +21,7 @@ void measure_mesh(const Mesh& mesh, const Model& model, MeshReport& report) {
     report.area += area;
     area_on[static_cast<std::size_t>(mesh.triangle_on[i])] += area;
   }
-  report.regions = region_measures(mesh, model);
-  for (const RegionMeasure& region : report.regions) report.cad_volume += region.cad_volume;
+  for (int r = 1; r <= model.count(3); ++r) report.cad_volume += model.region(r).volume;
   for (int f = 1; f <= model.count(2); ++f) {
     const auto& region = model.face(f).region;
     if (region[0] == region[1]) continue;

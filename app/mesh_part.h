@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "app/region_measures.h"
 #include "app/size_shortfall.h"
 #include "base/error.h"
 #include "base/fault.h"
@@ -54,7 +53,6 @@ struct MeshReport {
   QualitySummary quality;
   Acceptance acceptance;
   double volume = 0.0, cad_volume = 0.0;
-  std::vector<RegionMeasure> regions;  ///< by tag
   double area = 0.0, cad_area = 0.0;
   double area_off = 0.0;  ///< sum of the faces' |area - CAD's area|
   std::size_t nodes = 0, tets = 0, triangles = 0;

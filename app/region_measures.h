@@ -2,25 +2,24 @@
 // Each region of a mesh beside the CAD's.
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
+#include "classify/acceptance.h"
 #include "geom/model.h"
-#include "mesh/mesh.h"
 
 namespace octet {
 
 struct RegionMeasure {
   int tag = 0;
-  std::size_t tets = 0;
   double volume = 0.0, cad_volume = 0.0;  ///< model units, cubed
 
   /// Of the CAD's volume, signed.
   [[nodiscard]] double relative_error() const { return cad_volume > 0.0 ? volume / cad_volume - 1.0 : 0.0; }
 };
 
-/// All regions of the model by tag, those without a tetrahedron too. O(tetrahedra), in parallel.
-[[nodiscard]] std::vector<RegionMeasure> region_measures(const Mesh& mesh, const Model& model);
+/// All regions of the model by tag, those without a tetrahedron too; none where the acceptance has no
+/// volumes.
+[[nodiscard]] std::vector<RegionMeasure> region_measures(const Acceptance& acceptance, const Model& model);
 
 /// The one whose volume is off by the largest share; nothing of none.
 [[nodiscard]] const RegionMeasure* least_alike(const std::vector<RegionMeasure>& regions);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/region_measures.h"
 #include "app/self_contact.h"
 
 namespace octet {
@@ -80,12 +81,11 @@ Json shortfall_json(const Model& model, const SizeShortfall& shortfall) {
   return {{"edges", shortfall.edges}, {"worst", worst}};
 }
 
-Json regions_json(const Model& model, const std::vector<RegionMeasure>& regions) {
+Json regions_json(const Model& model, const Acceptance& acceptance) {
   Json json = Json::array();
-  for (const RegionMeasure& region : regions)
+  for (const RegionMeasure& region : region_measures(acceptance, model))
     json.push_back({{"tag", region.tag},
                     {"entity", model.describe(model_region(region.tag))},
-                    {"tets", region.tets},
                     {"volume", measure_json(region.volume, region.cad_volume)}});
   return json;
 }
@@ -106,7 +106,7 @@ std::string mesh_report_json(const RunNames& names, const Model& model, const Me
   json["shorter_than_asked"] = shortfall_json(model, report.shortfall);
   json["quality"] = quality_json(report.quality);
   json["volume"] = measure_json(report.volume, report.cad_volume);
-  json["regions"] = regions_json(model, report.regions);
+  json["regions"] = regions_json(model, report.acceptance);
   json["area"] = measure_json(report.area, report.cad_area);
   json["area"]["faces_relative_error"] = report.cad_area > 0.0 ? report.area_off / report.cad_area : 0.0;
   if (const auto farthest = report.acceptance.farthest())

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <optional>
 
+#include "app/region_measures.h"
 #include "app/self_contact.h"
 #include "app/words.h"
 #include "geom/tiny_features.h"
@@ -87,10 +88,11 @@ std::string measure_line(const char* name, const char* unit, double mesh, double
 }
 
 /// Of one region the volume of all tells it.
-std::string regions_line(const Model& model, const std::vector<RegionMeasure>& regions) {
+std::string regions_line(const Model& model, const Acceptance& acceptance) {
+  const std::vector<RegionMeasure> regions = region_measures(acceptance, model);
   const RegionMeasure* region = least_alike(regions);
   if (!region || regions.size() < 2) return {};
-  const std::string advice = region->tets == 0 || std::abs(region->relative_error()) < kFarOff
+  const std::string advice = region->volume == 0.0 || std::abs(region->relative_error()) < kFarOff
                                  ? std::string()
                                  : fmt::format(" -> --size-at Region{}={:.2g} is finer there", region->tag,
                                                size_that_rounds(model, region->tag));
@@ -132,7 +134,7 @@ std::string mesh_summary(const Model& model, const MeshReport& report) {
   text += shortfall_line(model, report.shortfall);
   text += quality_line("quality", report.quality);
   text += measure_line("volume", "mm^3", report.volume, report.cad_volume);
-  text += regions_line(model, report.regions);
+  text += regions_line(model, report.acceptance);
   text += measure_line("area", "mm^2", report.area, report.cad_area);
   text += distance_line(model, report.acceptance.farthest());
   text += contact_line(model);

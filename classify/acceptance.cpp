@@ -26,6 +26,7 @@ Acceptance accept_mesh(const Mesh& mesh, const Model& model, const AcceptanceOpt
   result.claims.push_back(claim_numbers(mesh, model));
   if (!result.claims[0].holds) return result;  // nothing else can be asked
   const ClaimInput in(mesh, model);
+  result.filled = in.sweep.filled;
   std::vector<Claim (*)(const ClaimInput&)> asked{
       claim_positive_volume,   claim_conforming,       claim_boundary_classified, claim_interfaces_classified,
       claim_regions_connected, claim_orphan_nodes,     claim_duplicate_nodes,     claim_closure,

@@ -34,6 +34,8 @@ struct Claim {
 
 struct Acceptance {
   std::vector<Claim> claims;
+  /// Volume of the tetrahedra (model units, cubed), per region tag; empty where the numbers do not hold.
+  std::vector<double> filled;
   [[nodiscard]] bool holds() const;
   /// None where the CAD's surface was not sampled, or is nowhere off the mesh.
   [[nodiscard]] std::optional<Farthest> farthest() const;
