@@ -8,6 +8,7 @@
 #include <Geom_Curve.hxx>
 #include <Geom_Surface.hxx>
 #include <Precision.hxx>
+#include <Standard_Failure.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
@@ -42,11 +43,37 @@ double gap_of_every_span(const TopoDS_Edge& edge, const TopoDS_Face& face) {
   return gap;
 }
 
+bool is_used(const TopoDS_Edge& edge, const TopoDS_Face& face, TopAbs_Orientation way) {
+  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next())
+    if (it.Current().IsSame(edge) && it.Current().Orientation() == way) return true;
+  return false;
+}
+
+Handle(Geom2d_Curve) curve_on(const TopoDS_Edge& edge, const TopoDS_Face& face, double& first, double& last) {
+  const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, face, first, last);
+  if (curve.IsNull()) throw Standard_Failure("an edge has no curve on its face");
+  return curve;
+}
+
 }  // namespace
+
+void carry_curve(const TopoDS_Edge& edge, const TopoDS_Face& face, const TopoDS_Edge& made,
+                 const TopoDS_Face& made_face) {
+  const BRep_Builder builder;
+  double first = 0.0, last = 0.0;
+  const Handle(Geom2d_Curve) there = curve_on(edge, face, first, last);
+  const Handle(Geom2d_Curve) back = curve_on(TopoDS::Edge(edge.Reversed()), face, first, last);
+  const bool is_back = is_used(edge, face, TopAbs_REVERSED);
+  if (BRep_Tool::IsClosed(edge, face) && is_back && is_used(edge, face, TopAbs_FORWARD))
+    builder.UpdateEdge(made, there, back, made_face, Precision::Confusion());
+  else
+    builder.UpdateEdge(made, is_back ? back : there, made_face, Precision::Confusion());
+  builder.Range(made, made_face, first, last);
+  fit_curve(made, made_face);
+}
 
 void mend_conversion(const TopoDS_Shape& solid, BRepBuilderAPI_NurbsConvert& convert, double noise) {
   static_cast<void>(fit_loose_curves(convert.ModifiedShape(solid), noise));
-  const BRep_Builder builder;
   for (TopExp_Explorer faces(solid, TopAbs_FACE); faces.More(); faces.Next()) {
     const TopoDS_Face old = TopoDS::Face(faces.Current().Oriented(TopAbs_FORWARD));
     const TopoDS_Face face = TopoDS::Face(convert.ModifiedShape(old).Oriented(TopAbs_FORWARD));
@@ -55,14 +82,7 @@ void mend_conversion(const TopoDS_Shape& solid, BRepBuilderAPI_NurbsConvert& con
       const TopoDS_Edge edge = TopoDS::Edge(edges(i).Oriented(TopAbs_FORWARD));
       if (BRep_Tool::Degenerated(edge) || BRep_Tool::IsClosed(edge, old)) continue;
       const TopoDS_Edge made = TopoDS::Edge(convert.ModifiedShape(edge).Oriented(TopAbs_FORWARD));
-      if (!(gap_of_every_span(made, face) > noise)) continue;
-      double first = 0.0, last = 0.0;
-      const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, old, first, last);
-      if (curve.IsNull()) continue;
-      BRep_Tool::Range(made, first, last);
-      builder.UpdateEdge(made, curve, face, Precision::Confusion());
-      builder.Range(made, face, first, last);
-      fit_curve(made, face);
+      if (gap_of_every_span(made, face) > noise) carry_curve(edge, old, made, face);
     }
   }
 }

@@ -7,7 +7,6 @@
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2d_Curve.hxx>
-#include <Precision.hxx>
 #include <ShapeFix_ShapeTolerance.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp_Explorer.hxx>
@@ -20,8 +19,8 @@
 #include <TopoDS_Vertex.hxx>
 #include <algorithm>
 
+#include "geom/occt/converted_curves.h"
 #include "geom/occt/curve_gaps.h"
-#include "geom/occt/loose_curves.h"
 #include "geom/occt/shape_box.h"
 #include "geom/occt/spline_limits.h"
 #include "geom/occt/sub_shapes.h"
@@ -69,50 +68,15 @@ std::vector<TopoDS_Face> faces_about_last(const std::vector<TopoDS_Shape>& solid
   return found;
 }
 
-/// One face between its own edges on another surface, which has about the same parameters.
-class Conversion {
- public:
-  explicit Conversion(const TopoDS_Face& face) : old_(face) {
-    BRepBuilderAPI_NurbsConvert convert(face, true);
-    const BRep_Builder builder;
-    builder.MakeFace(face_, BRep_Tool::Surface(TopoDS::Face(convert.Shape())), BRep_Tool::Tolerance(face));
-    for (TopoDS_Iterator wire(face); wire.More(); wire.Next()) builder.Add(face_, wire.Value());
-  }
-
-  [[nodiscard]] const TopoDS_Face& face() const { return face_; }
-
-  /// Gives an edge of the face, forward, its curve on it: fitted, from that on the old surface, for what OCCT
-  /// converts may begin on one side of a seam and go on from the other. Standard_Failure: there is none.
-  void add_curve(const TopoDS_Edge& edge) const {
-    const BRep_Builder builder;
-    double first = 0.0, last = 0.0;
-    const Handle(Geom2d_Curve) there = on_old(edge, first, last);
-    const Handle(Geom2d_Curve) back = on_old(TopoDS::Edge(edge.Reversed()), first, last);
-    const bool is_seam = BRep_Tool::IsClosed(edge, old_);
-    if (is_seam && is_used(edge, TopAbs_FORWARD) && is_used(edge, TopAbs_REVERSED))
-      builder.UpdateEdge(edge, there, back, face_, Precision::Confusion());
-    else
-      builder.UpdateEdge(edge, is_used(edge, TopAbs_REVERSED) ? back : there, face_, Precision::Confusion());
-    builder.Range(edge, face_, first, last);
-    fit_curve(edge, face_);
-  }
-
- private:
-  [[nodiscard]] Handle(Geom2d_Curve) on_old(const TopoDS_Edge& edge, double& first, double& last) const {
-    const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, old_, first, last);
-    if (curve.IsNull()) throw Standard_Failure("an edge has no curve on its face");
-    return curve;
-  }
-
-  /// Of a seam the face may have one side, and end where the other would be.
-  [[nodiscard]] bool is_used(const TopoDS_Edge& edge, TopAbs_Orientation way) const {
-    for (TopExp_Explorer it(old_, TopAbs_EDGE); it.More(); it.Next())
-      if (it.Current().IsSame(edge) && it.Current().Orientation() == way) return true;
-    return false;
-  }
-
-  TopoDS_Face old_, face_;
-};
+/// A face, forward, between its own edges on a spline, which has about the same parameters.
+TopoDS_Face on_spline(const TopoDS_Face& face) {
+  BRepBuilderAPI_NurbsConvert convert(face, true);
+  const BRep_Builder builder;
+  TopoDS_Face made;
+  builder.MakeFace(made, BRep_Tool::Surface(TopoDS::Face(convert.Shape())), BRep_Tool::Tolerance(face));
+  for (TopoDS_Iterator wire(face); wire.More(); wire.Next()) builder.Add(made, wire.Value());
+  return made;
+}
 
 /// Faces are added until one cannot be.
 class Converter {
@@ -122,20 +86,20 @@ class Converter {
   void add(const TopoDS_Face& face, double noise) {
     if (made_.IsBound(face)) return;
     if (result_.faces++ >= kMostSplineFaces) throw Standard_Failure("more faces than a fuse has time for");
-    const Conversion conversion(face);
+    const TopoDS_Face made = on_spline(face);
     const TopTools_IndexedMapOfShape edges = sub_shapes(face, TopAbs_EDGE);
     for (int i = 1; i <= edges.Extent(); ++i) {
       const TopoDS_Edge edge = TopoDS::Edge(edges(i).Oriented(TopAbs_FORWARD));
-      result_.curves.emplace_back(edge, conversion.face());
-      conversion.add_curve(edge);
+      result_.curves.emplace_back(edge, made);
+      carry_curve(edge, face, edge, made);
       if (BRep_Tool::Degenerated(edge)) continue;
-      const double gap = curve_gap(edge, conversion.face());
+      const double gap = curve_gap(edge, made);
       if (gap > std::max(noise, kWiderAsSplines * BRep_Tool::Tolerance(edge)))
         throw Standard_Failure("a curve on a spline runs beside its edge");
       gaps_.emplace_back(edge, gap);
     }
-    made_.Bind(face, conversion.face());
-    result_.history->AddModified(face, conversion.face());
+    made_.Bind(face, made);
+    result_.history->AddModified(face, made);
   }
 
   [[nodiscard]] std::optional<SplineFaces> solids(const std::vector<TopoDS_Shape>& before) {
