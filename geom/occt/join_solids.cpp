@@ -145,9 +145,12 @@ class Joiner {
     }
   }
 
+  /// The least of the regions that the solid has become: a history that was merged has them in no order.
   [[nodiscard]] std::size_t tag_of(std::size_t solid) const {
-    return static_cast<std::size_t>(
-        part_.numbering.tag(3, images_of(healed_.solids[solid], joined_).First()));
+    int least = part_.numbering.count(3);
+    for (const TopoDS_Shape& image : images_of(healed_.solids[solid], joined_))
+      least = std::min(least, part_.numbering.tag(3, image));
+    return static_cast<std::size_t>(least);
   }
 
   const ShapeMaps& as_read_;
