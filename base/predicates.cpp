@@ -13,7 +13,6 @@
 #include <cmath>
 #include <initializer_list>
 #include <limits>
-#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -178,18 +177,6 @@ int insphere_exact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, c
   });
 }
 
-/// Sign where the filter is sure of it. No difference is longer than the longest of the four, which the
-/// lifts tell.
-std::optional<int> insphere_filtered(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d,
-                                     const Vec3& e) {
-  const Difference<double> pa = minus(a, e), pb = minus(b, e), pc = minus(c, e), pd = minus(d, e);
-  const double det = insphere_determinant(pa, pb, pc, pd, minors(pa, pb, pc, pd));
-  const double square = std::max(std::max(lift(pa), lift(pb)), std::max(lift(pc), lift(pd)));
-  if (!(square > kSmallest * kSmallest && square < kLargest * kLargest)) return std::nullopt;
-  if (std::abs(det) <= kInsphereError * (square * square) * std::sqrt(square)) return std::nullopt;
-  return sign_of(det);
-}
-
 }  // namespace
 
 int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
@@ -203,15 +190,30 @@ int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   return orient3d_exact(a, b, c, d);
 }
 
+// No difference is longer than the longest of the four, which the lifts tell.
+int insphere_filtered(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e) {
+  const Difference<double> pa = minus(a, e), pb = minus(b, e), pc = minus(c, e), pd = minus(d, e);
+  const double det = insphere_determinant(pa, pb, pc, pd, minors(pa, pb, pc, pd));
+  const double square = std::max(std::max(lift(pa), lift(pb)), std::max(lift(pc), lift(pd)));
+  if (!(square > kSmallest * kSmallest && square < kLargest * kLargest)) return 0;
+  if (std::abs(det) <= kInsphereError * (square * square) * std::sqrt(square)) return 0;
+  return sign_of(det);
+}
+
+int insphere_ranked_exactly(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e,
+                            const std::uint64_t rank[5]) {
+  return insphere_exact(a, b, c, d, e, rank);
+}
+
 int insphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e) {
-  const std::optional<int> sign = insphere_filtered(a, b, c, d, e);
-  return sign ? *sign : insphere_exact(a, b, c, d, e, nullptr);
+  const int sign = insphere_filtered(a, b, c, d, e);
+  return sign != 0 ? sign : insphere_exact(a, b, c, d, e, nullptr);
 }
 
 int insphere_ranked(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e,
                     const std::uint64_t rank[5]) {
-  const std::optional<int> sign = insphere_filtered(a, b, c, d, e);
-  return sign ? *sign : insphere_exact(a, b, c, d, e, rank);
+  const int sign = insphere_filtered(a, b, c, d, e);
+  return sign != 0 ? sign : insphere_exact(a, b, c, d, e, rank);
 }
 
 int insphere_on_lattice(const std::uint64_t rank[5]) {

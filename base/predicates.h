@@ -27,6 +27,13 @@ namespace octet {
 [[nodiscard]] int insphere_ranked(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e,
                                   const std::uint64_t rank[5]);
 
+/// The two steps of insphere_ranked(), for who has a quicker answer between them: insphere() where a filter
+/// in doubles is sure of it, else 0; and all of it without the filter.
+[[nodiscard]] int insphere_filtered(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d,
+                                    const Vec3& e);
+[[nodiscard]] int insphere_ranked_exactly(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d,
+                                          const Vec3& e, const std::uint64_t rank[5]);
+
 /// insphere_ranked() for five octree vertices, told by their ranks alone: in 64-bit integers, without the
 /// points. 0 when it cannot tell: one of the five is no octree vertex, or they are farther apart than 2^11
 /// times their common spacing. Requires distinct ranks and abcd not coplanar.

@@ -12,11 +12,11 @@ bool in_sphere(const Complex& complex, TetId t, const Vec3& point, std::uint64_t
   const auto& v = complex.mesh.tets[t];
   const std::uint64_t ranks[5] = {complex.rank[v[0]], complex.rank[v[1]], complex.rank[v[2]],
                                   complex.rank[v[3]], rank};
-  // Half the questions are about octree vertices alone, and most of those are ties.
-  if (const int sign = insphere_on_lattice(ranks); sign != 0) return sign > 0;
   const Vec3 &a = complex.point(v[0]), &b = complex.point(v[1]), &c = complex.point(v[2]),
              &d = complex.point(v[3]);
-  return insphere_ranked(a, b, c, d, point, ranks) > 0;
+  if (const int sign = insphere_filtered(a, b, c, d, point); sign != 0) return sign > 0;
+  if (const int sign = insphere_on_lattice(ranks); sign != 0) return sign > 0;
+  return insphere_ranked_exactly(a, b, c, d, point, ranks) > 0;
 }
 
 // The face of `outer` that it shares with face `face` of `inner`, by its vertices: `outer` may be on the rim

@@ -247,6 +247,24 @@ TEST(Predicates, RankedIsNeverZeroAndChangesSignUnderEveryExchange) {
   EXPECT_GT(ties, 300);
 }
 
+TEST(Predicates, TheStepsOfRankedTellWhatItTells) {
+  Random random(9);
+  int sure = 0, left = 0;
+  for (int n = 0; n < 3000; ++n) {
+    const Five p = random.lattice(4, n % 2 == 0 ? 0.1 : 1.0);
+    if (!usable(p)) continue;
+    const Ranks rank = random_ranks(random);
+    const int sign = ranked(p, rank), filtered = insphere_filtered(p[0], p[1], p[2], p[3], p[4]);
+    ASSERT_EQ(insphere_ranked_exactly(p[0], p[1], p[2], p[3], p[4], rank.data()), sign);
+    (filtered != 0 ? sure : left) += 1;
+    if (filtered != 0) {
+      ASSERT_EQ(filtered, sign);
+    }
+  }
+  EXPECT_GT(sure, 1000);
+  EXPECT_GT(left, 100);
+}
+
 TEST(Predicates, OnLatticeAgreesWithRankedForOctreeVertices) {
   Random random(77);
   int told = 0, ties = 0;
