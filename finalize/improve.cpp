@@ -142,9 +142,8 @@ bool is_hopeless(const Workshop& shop, TetId t) {
   if (t.index() >= shop.tried.size()) return false;
   const std::uint32_t when = shop.tried[t.index()];
   const auto& v = shop.mesh.tets[t];
-  return when > 0 && std::all_of(v.begin(), v.end(), [&](VertexId x) {
-           return shop.unchanged_since(when, x);
-         });
+  return when > 0 &&
+         std::all_of(v.begin(), v.end(), [&](VertexId x) { return shop.unchanged_since(when, x); });
 }
 
 /// Edges of the boundary's neighbourhood for which rank(a, b, length), a < b, has a value; lowest first.
@@ -285,13 +284,13 @@ std::size_t improve_worst_first(Workshop& shop, double goal, Observer& observer)
 
 std::size_t improve_obtuse(Workshop& shop, double limit, Observer& observer) {
   const WorkMesh& mesh = shop.mesh;
-  const double goal = shape_of_angle(limit);
+  const double goal = shape_of_angle(limit), of_limit = squared_cotangent(limit);
   return improve_in_order(shop, goal, observer, [&](TetId t) -> std::optional<double> {
     // The shape is no more than the squared sine of any of the angles.
     if (mesh.quality[t] >= goal || !touches_boundary(mesh, t)) return std::nullopt;
     const double largest =
-        dihedral_range(mesh.point(t, 0), mesh.point(t, 1), mesh.point(t, 2), mesh.point(t, 3)).largest;
-    return largest > limit ? std::optional(-largest) : std::nullopt;
+        dihedral_cotangents(mesh.point(t, 0), mesh.point(t, 1), mesh.point(t, 2), mesh.point(t, 3)).largest;
+    return largest < of_limit ? std::optional(largest) : std::nullopt;
   });
 }
 

@@ -98,11 +98,11 @@ std::array<Vec3, 4> corners(const Mesh& mesh, std::size_t tet) {
 
 Extremes extremes(const Mesh& mesh, double target) {
   return tbb::parallel_reduce(
-      tbb::blocked_range<std::size_t>(0, mesh.tets.size(), 4096), Extremes{},
+      tbb::blocked_range<std::size_t>(0, mesh.tets.size(), 4096), Extremes(target),
       [&](const auto& range, Extremes sum) {
         for (std::size_t i = range.begin(); i < range.end(); ++i) {
           const std::array<Vec3, 4> p = corners(mesh, i);
-          sum.add(shape(p[0], p[1], p[2], p[3]), p, target);
+          sum.add(shape(p[0], p[1], p[2], p[3]), p);
         }
         return sum;
       },
@@ -163,11 +163,12 @@ class Passage {
   /// Tetrahedra about those at the rims of blocks about seams whose shapes fall short: there what was made
   /// could not be worked on.
   [[nodiscard]] Tets short_at_rims() const {
+    const double of_chase = squared_cotangent(kChaseAngle), of_obtuse = squared_cotangent(kObtuse);
     Vertices vertices;
     for (const Mesh::Index t : tets_near(mesh_, rims_, 1)) {
       const std::array<Vec3, 4> p = corners(mesh_, t);
-      const DihedralRange range = dihedral_range(p[0], p[1], p[2], p[3]);
-      if (range.smallest < kChaseAngle || range.largest > kObtuse)
+      const DihedralCotangents range = dihedral_cotangents(p[0], p[1], p[2], p[3]);
+      if (range.smallest > of_chase || range.largest < of_obtuse)
         vertices.insert(vertices.end(), mesh_.tets[t].begin(), mesh_.tets[t].end());
     }
     return tets_near(mesh_, vertices, kSeamLayers);
@@ -176,9 +177,9 @@ class Passage {
   [[nodiscard]] FinalizeReport finish() {
     sort_boundary(mesh_);
     const Extremes after = extremes(mesh_, options_.target_dihedral);
-    report_.min_dihedral_after = after.range.smallest;
-    report_.max_dihedral_after = after.range.largest;
-    report_.below_target = after.below_target;
+    report_.min_dihedral_after = after.range().smallest;
+    report_.max_dihedral_after = after.range().largest;
+    report_.below_target = after.below_target();
     return report_;
   }
 

@@ -65,12 +65,11 @@ void raise_mean(Workshop& shop, double floor, int sweeps, Observer& observer) {
 }
 
 Extremes extremes(const WorkMesh& mesh, double target) {
-  Extremes result;
+  Extremes result(target);
   for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
     const TetId t(i);
     if (mesh.alive(t))
-      result.add(mesh.quality[t], {mesh.point(t, 0), mesh.point(t, 1), mesh.point(t, 2), mesh.point(t, 3)},
-                 target);
+      result.add(mesh.quality[t], {mesh.point(t, 0), mesh.point(t, 1), mesh.point(t, 2), mesh.point(t, 3)});
   }
   return result;
 }
@@ -111,20 +110,31 @@ void improve_all(Workshop& shop, double target, double polish, double chased, Ob
 
 }  // namespace
 
-void Extremes::add(double shape, const std::array<Vec3, 4>& points, double target) {
-  // The shape is no more than the squared sine of any of the angles.
+Extremes::Extremes(double target) : target_(target), of_target_(squared_cotangent(target)) {}
+
+void Extremes::add(double shape, const std::array<Vec3, 4>& points) {
   if (shape > of_note_) return;
-  const DihedralRange r = dihedral_range(points[0], points[1], points[2], points[3]);
-  range.smallest = std::min(range.smallest, r.smallest);
-  range.largest = std::max(range.largest, r.largest);
-  if (r.smallest < target) ++below_target;
-  of_note_ = 1.001 * shape_of_angle(std::max({range.smallest, std::numbers::pi - range.largest, target}));
+  const DihedralCotangents own = dihedral_cotangents(points[0], points[1], points[2], points[3]);
+  if (own.smallest > of_target_) ++below_target_;
+  if (own.smallest <= range_.smallest && own.largest >= range_.largest) return;
+  range_ = {std::max(range_.smallest, own.smallest), std::min(range_.largest, own.largest)};
+  note_more();
 }
 
 void Extremes::join(const Extremes& other) {
-  range.smallest = std::min(range.smallest, other.range.smallest);
-  range.largest = std::max(range.largest, other.range.largest);
-  below_target += other.below_target;
+  range_ = {std::max(range_.smallest, other.range_.smallest), std::min(range_.largest, other.range_.largest)};
+  below_target_ += other.below_target_;
+  note_more();
+}
+
+DihedralRange Extremes::range() const {
+  return {angle_of_cotangent(range_.smallest), angle_of_cotangent(range_.largest)};
+}
+
+/// The shape is no more than the squared sine of any of the angles.
+void Extremes::note_more() {
+  const DihedralRange angles = range();
+  of_note_ = 1.001 * shape_of_angle(std::max({angles.smallest, std::numbers::pi - angles.largest, target_}));
 }
 
 FinalizeReport run_schedule(Workshop& shop, Chosen chosen, Mesh& mesh, Observer& observer) {
@@ -140,19 +150,19 @@ FinalizeReport run_schedule(Workshop& shop, Chosen chosen, Mesh& mesh, Observer&
     open_obtuse(shop, observer);
   }
   Extremes after = extremes(shop.mesh, options.target_dihedral);
-  const double kept = options.coarse_size_at ? std::min(before.range.smallest, options.target_dihedral)
-                                             : before.range.smallest;
-  if (after.range.smallest < kept) {
+  const double smallest = before.range().smallest;
+  const double kept = options.coarse_size_at ? std::min(smallest, options.target_dihedral) : smallest;
+  if (after.range().smallest < kept) {
     // Shapes grow by the sine, which an obtuse angle may have won by: then the mesh given is the better one.
     shop.report = FinalizeReport{};
     after = before;
   } else {
     mesh = to_mesh(shop.mesh);
   }
-  shop.report.min_dihedral_before = before.range.smallest;
-  shop.report.min_dihedral_after = after.range.smallest;
-  shop.report.max_dihedral_after = after.range.largest;
-  shop.report.below_target = after.below_target;
+  shop.report.min_dihedral_before = smallest;
+  shop.report.min_dihedral_after = after.range().smallest;
+  shop.report.max_dihedral_after = after.range().largest;
+  shop.report.below_target = after.below_target();
   return shop.report;
 }
 

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstddef>
-#include <numbers>
 
 #include "base/observer.h"
 #include "finalize/workshop.h"
@@ -20,15 +19,26 @@ inline constexpr double kChaseAngle = 0.559;
 inline constexpr double kObtuse = 2.40;
 
 /// The extreme angles of tetrahedra, and how many have one below the target.
-struct Extremes {
-  DihedralRange range{std::numbers::pi / 2, std::numbers::pi / 2};
-  std::size_t below_target = 0;
+class Extremes {
+ public:
+  /// `target`: radians.
+  explicit Extremes(double target);
 
   /// Adds a tetrahedron of that shape (finalize/shape.h). O(1) where it can add nothing.
-  void add(double shape, const std::array<Vec3, 4>& points, double target);
+  void add(double shape, const std::array<Vec3, 4>& points);
+  /// Adds those of another with the same target.
   void join(const Extremes& other);
 
+  [[nodiscard]] DihedralRange range() const;
+  [[nodiscard]] std::size_t below_target() const { return below_target_; }
+
  private:
+  void note_more();
+
+  double target_;
+  double of_target_;                ///< squared cotangent
+  DihedralCotangents range_{0, 0};  ///< none is taken for a right angle
+  std::size_t below_target_ = 0;
   double of_note_ = 1.0;  ///< shapes above this can add nothing
 };
 

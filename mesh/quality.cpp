@@ -21,17 +21,6 @@ namespace {
 /// Tetrahedra a task.
 constexpr std::size_t kBlock = 16384;
 
-/// Squared cotangents with their signs, of the smallest and of the largest dihedral angle: they fall as the
-/// angle grows, so that angles are compared without roots and arcs.
-struct Cotangents {
-  double smallest = std::numeric_limits<double>::infinity(),
-         largest = -std::numeric_limits<double>::infinity();
-};
-
-double angle_of(double squared_cotangent) {
-  return std::atan2(1.0, std::copysign(std::sqrt(std::abs(squared_cotangent)), squared_cotangent));
-}
-
 // For Vec3 and double, or for four tetrahedra at once: the same operations in the same order.
 template <class Vec>
 OCTET_LANEWISE auto six_volumes(const Vec& a, const Vec& b, const Vec& c, const Vec& d) {
@@ -58,22 +47,31 @@ OCTET_LANEWISE void find_cotangents(const Vec& a, const Vec& b, const Vec& c, co
   }
 }
 
-Cotangents cotangents(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  const double volumes = six_volumes(a, b, c, d);
-  Cotangents result;
-  if (volumes > 0.0) find_cotangents(a, b, c, d, volumes, result.largest, result.smallest);
-  return result;
-}
-
 }  // namespace
 
 double signed_volume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   return six_volumes(a, b, c, d) / 6.0;
 }
 
+DihedralCotangents dihedral_cotangents(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const double volumes = six_volumes(a, b, c, d);
+  DihedralCotangents result;
+  if (volumes > 0.0) find_cotangents(a, b, c, d, volumes, result.largest, result.smallest);
+  return result;
+}
+
+double angle_of_cotangent(double squared_cotangent) {
+  return std::atan2(1.0, std::copysign(std::sqrt(std::abs(squared_cotangent)), squared_cotangent));
+}
+
+double squared_cotangent(double angle) {
+  const double cotangent = std::cos(angle) / std::sin(angle);
+  return cotangent * std::abs(cotangent);
+}
+
 DihedralRange dihedral_range(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  const Cotangents range = cotangents(a, b, c, d);
-  return {angle_of(range.smallest), angle_of(range.largest)};
+  const DihedralCotangents range = dihedral_cotangents(a, b, c, d);
+  return {angle_of_cotangent(range.smallest), angle_of_cotangent(range.largest)};
 }
 
 namespace {
@@ -170,7 +168,7 @@ namespace quality_lanes {
 
 /// What the summary asks of four tetrahedra.
 struct Shapes {
-  Lanes smallest, largest;  ///< cotangents of the dihedral angles, see Cotangents
+  Lanes smallest, largest;  ///< cotangents of the dihedral angles, see DihedralCotangents
   Lanes ratio, volume;
 };
 
@@ -198,7 +196,8 @@ QualitySummary quality_summary(const Mesh& mesh) {
   if (mesh.tets.empty()) return summary;
   const auto smallest = std::make_unique_for_overwrite<double[]>(mesh.tets.size());  // angles' cotangents
   struct Block {
-    Cotangents range{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+    DihedralCotangents range{-std::numeric_limits<double>::infinity(),
+                             std::numeric_limits<double>::infinity()};
     double least_ratio = 1.0, sum_of_ratios = 0.0, volume = 0.0;
     std::size_t worst = 0;
 
@@ -233,13 +232,14 @@ QualitySummary quality_summary(const Mesh& mesh) {
   };
   Block whole;
   for (const Block& block : map_blocks<Block>(mesh.tets.size(), kBlock, of_block)) whole.add(block);
-  summary.min_dihedral = angle_of(whole.range.smallest);
-  summary.max_dihedral = angle_of(whole.range.largest);
+  summary.min_dihedral = angle_of_cotangent(whole.range.smallest);
+  summary.max_dihedral = angle_of_cotangent(whole.range.largest);
   summary.worst_tet = whole.worst;
   summary.min_mean_ratio = whole.least_ratio;
   summary.mean_mean_ratio = whole.sum_of_ratios / static_cast<double>(mesh.tets.size());
   summary.volume = whole.volume;
-  summary.p1_min_dihedral = angle_of(nth_largest({smallest.get(), mesh.tets.size()}, mesh.tets.size() / 100));
+  summary.p1_min_dihedral =
+      angle_of_cotangent(nth_largest({smallest.get(), mesh.tets.size()}, mesh.tets.size() / 100));
   return summary;
 }
 

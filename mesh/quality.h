@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <vector>
 
 #include "mesh/mesh.h"
@@ -14,6 +15,17 @@ struct DihedralRange {
   double smallest = 0.0, largest = 0.0;
 };
 [[nodiscard]] DihedralRange dihedral_range(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+/// Squared cotangents, with their signs, of the same two angles. They fall as the angle grows, so angles are
+/// compared without roots and arcs. Infinite, as of 0 and pi, unless the volume is positive.
+struct DihedralCotangents {
+  double smallest = std::numeric_limits<double>::infinity(),
+         largest = -std::numeric_limits<double>::infinity();
+};
+[[nodiscard]] DihedralCotangents dihedral_cotangents(const Vec3& a, const Vec3& b, const Vec3& c,
+                                                     const Vec3& d);
+/// The angle, 0 to pi, and the way back.
+[[nodiscard]] double angle_of_cotangent(double squared_cotangent);
+[[nodiscard]] double squared_cotangent(double angle);
 [[nodiscard]] double signed_volume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 /// 12 (3 V)^(2/3) / sum of squared edges, 1 for the regular tetrahedron.
 [[nodiscard]] double mean_ratio(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);

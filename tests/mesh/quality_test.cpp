@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <vector>
 
 namespace octet {
@@ -34,6 +36,23 @@ TEST(Quality, TheCornerOfACubeHasItsClosedForms) {
   // r = 1 / (3 + sqrt 3), R = sqrt(3) / 2.
   EXPECT_NEAR(radius_ratio(c[0], c[1], c[2], c[3]), 6.0 / ((3.0 + std::sqrt(3.0)) * std::sqrt(3.0)), 1e-14);
   EXPECT_NEAR(aspect(c[0], c[1], c[2], c[3]), std::sqrt(1.5) / std::sqrt(3.0) / std::sqrt(2.0), 1e-14);
+}
+
+TEST(Quality, CotangentsStandForAngles) {
+  double last = std::numeric_limits<double>::infinity();
+  for (const double angle : {1e-3, 0.3, 1.0, std::numbers::pi / 2, 2.0, 3.0, std::numbers::pi - 1e-3}) {
+    const double cotangent = squared_cotangent(angle);
+    EXPECT_LT(cotangent, last);
+    EXPECT_NEAR(angle_of_cotangent(cotangent), angle, 1e-12);
+    last = cotangent;
+  }
+  const Vec3 a(0, 0, 0), b(1, 0.2, 0), c(0.1, 0.9, -0.1), d(0.3, 0.2, 0.4);
+  const DihedralCotangents cotangents = dihedral_cotangents(a, b, c, d);
+  const DihedralRange range = dihedral_range(a, b, c, d);
+  EXPECT_GT(range.smallest, 0.1);
+  EXPECT_NEAR(cotangents.smallest, squared_cotangent(range.smallest), 1e-9);
+  EXPECT_NEAR(cotangents.largest, squared_cotangent(range.largest), 1e-9);
+  EXPECT_EQ(dihedral_cotangents(a, c, b, d).smallest, std::numeric_limits<double>::infinity());
 }
 
 TEST(Quality, FlatAndTurnedTetrahedraAreWorthNothing) {
