@@ -25,8 +25,9 @@ struct Seeds {
 
 struct SeedOptions {
   double size = 0.0;  ///< the size asked for
-  double octree_clearance =
-      0.4;  ///< between an octree vertex and the surface or another point, in local sizes
+  /// Between an octree vertex and the surface or another point, in local sizes: where a wall ends near by,
+  /// and elsewhere.
+  double octree_clearance = 0.4, open_clearance = 0.55;
   std::function<bool()> cancelled = {};  ///< as in cut_octant_edges()
 };
 

@@ -10,6 +10,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "octree/seed_state.h"
+
 namespace octet {
 namespace {
 
@@ -229,6 +231,9 @@ std::optional<double> ring_parameter(const Model& model, const Tip& tip, int edg
   return tip.leads_to(model.edge_point(edge, far)) ? std::optional(far) : std::nullopt;
 }
 
-double ring_spacing(const Tip& tip) { return tip.ring_radius() / kLeastRing; }
+double ring_spacing(const Tip& tip) {
+  constexpr double kRoom = 1.03;
+  return tip.ring_radius() / (kRoom * kFaceSpacing);
+}
 
 }  // namespace octet

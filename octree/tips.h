@@ -56,7 +56,7 @@ class Tips {
 /// Parameter at which an edge that ends in the tip's vertex passes the ring; none where it ends before, or is
 /// not along the tip.
 [[nodiscard]] std::optional<double> ring_parameter(const Model& model, const Tip& tip, int edge);
-/// The local size for which the ring has been chosen.
+/// The local size at which the ring's six points just keep the spacing of points on faces.
 [[nodiscard]] double ring_spacing(const Tip& tip);
 
 }  // namespace octet

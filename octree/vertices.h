@@ -63,8 +63,8 @@ void for_each_vertex(const OctreeVertices& vertices, OctantId octant, const Visi
   for (const OctreeVertices::Hanging& h : vertices.hanging_on(octant)) visit(h.vertex);
 }
 
-/// Sets the flags of these vertices. Octants that touch each other share a vertex, for the finer one's corners
-/// are all on the coarser one's lattice: such flags find neighbours without searching.
+/// Sets the flags of these vertices. Octants that touch each other share a vertex, for the finer one's
+/// corners are all on the coarser one's lattice: such flags find neighbours without searching.
 inline void flag_vertices(const OctreeVertices& vertices, OctantId octant, std::vector<std::uint8_t>& flags) {
   for_each_vertex(vertices, octant, [&](std::uint32_t v) { flags[v] = 1; });
 }
