@@ -177,9 +177,14 @@ void place_points(Attempt& attempt, const Model& model, const SeedOptions& optio
            });
   attempt.labels = std::move(labels);
   attempt.edges = {};
+  attempt.cuts = {};
   attempt.seeds = seeder.seed_octree(attempt.vertices, attempt.labels);
   attempt.split =
       split_interior(model, attempt.tree, attempt.vertices, attempt.labels, attempt.seeds, options.size);
+  attempt.seed_points = attempt.seeds.points.size();
+  attempt.seeds.points = {};
+  attempt.seeds.octree_vertex_kept = {};
+  attempt.seeds.octree_point = {};
 }
 
 void triangulate(Attempt& attempt, const Model& model) {

@@ -22,10 +22,11 @@ struct Attempt {
 
   Octree tree;
   OctreeVertices vertices;
-  std::vector<OctantEdge> edges;  ///< of boundary octants; until points are placed
-  std::vector<OctantEdgeCut> cuts;
-  OctreeLabels labels;  ///< of octants once the tree is cut, of vertices once points are placed
-  Seeds seeds;
+  std::vector<OctantEdge> edges;    ///< of boundary octants; until points are placed, like
+  std::vector<OctantEdgeCut> cuts;  ///< these
+  OctreeLabels labels;              ///< of octants once the tree is cut, of vertices once points are placed
+  Seeds seeds;                      ///< without the points themselves, which are in `split`
+  std::size_t seed_points = 0;      ///< how many there were, those of template octants included
   BandAndInterior split;
   Triangulation triangulation;
   std::vector<ModelRef> on;  ///< per vertex of the triangulation
@@ -53,8 +54,8 @@ void close_holes(Attempt& attempt, const Model& model, double size, AttributeLim
 /// place would turn a tetrahedron inside out stays where it was rounded to.
 [[nodiscard]] std::vector<Vec3> points_of(const Attempt& attempt);
 
-/// Gaps of a boundary that crosses itself beyond which nothing more is tried: smaller octants cure none of its
-/// crossings, and where these leave few gaps the rest may still close.
+/// Gaps of a boundary that crosses itself beyond which nothing more is tried: smaller octants cure none of
+/// its crossings, and where these leave few gaps the rest may still close.
 inline constexpr std::size_t kHopelessGaps = 1000;
 
 /// Whether a boundary that is known to cross itself does so all over: by the gaps, or because octant edges

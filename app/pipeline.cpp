@@ -292,7 +292,7 @@ class Run {
     place_points(*next, model_, seeds_);
     tell_conflicts(next->labels.conflicts);
     observer_.note(fmt::format("points: {} on the boundary, {} in all, {} triangulated; {} template octants",
-                               next->seeds.surface_points, next->seeds.points.size(), next->split.band.size(),
+                               next->seeds.surface_points, next->seed_points, next->split.band.size(),
                                next->split.templates));
     begin("triangulation", 0.3);
     triangulate(*next, model_);

@@ -56,19 +56,19 @@ int nearest_face(const Model& model, const Vec3& p) {
   return foot ? foot->face : 1;
 }
 
-/// Tetrahedra in the order of their lowest vertices, so that neighbours lie near each other in memory too.
-void order_by_vertices(Mesh& mesh) {
-  struct Placed {
-    std::array<Mesh::Index, 4> tet;
-    std::int32_t region;
-  };
-  const auto lowest = [](const Placed& p) { return *std::min_element(p.tet.begin(), p.tet.end()); };
-  std::vector<Placed> placed(mesh.tets.size());
-  tbb::parallel_for(std::size_t{0}, placed.size(), [&](std::size_t i) {
-    placed[i] = {mesh.tets[i], mesh.tet_in[i]};
-  });
-  bucket_sort(placed, mesh.points.size(), lowest,
-              [](const Placed& a, const Placed& b) { return a.tet < b.tet; });
+struct Placed {
+  std::array<Mesh::Index, 4> tet;
+  std::int32_t region = 0;
+};
+
+/// Into the order of their lowest vertices, so that neighbours lie near each other in memory too.
+void take_in_order(std::vector<Placed> placed, Mesh& mesh) {
+  bucket_sort(
+      placed, mesh.points.size(),
+      [](const Placed& p) { return *std::min_element(p.tet.begin(), p.tet.end()); },
+      [](const Placed& a, const Placed& b) { return a.tet < b.tet; });
+  mesh.tets.resize(placed.size());
+  mesh.tet_in.resize(placed.size());
   tbb::parallel_for(std::size_t{0}, placed.size(), [&](std::size_t i) {
     mesh.tets[i] = placed[i].tet;
     mesh.tet_in[i] = placed[i].region;
@@ -102,19 +102,17 @@ Mesh extract_mesh(Band& band, const TetMesh& tets, std::span<const Vec3> points,
   });
   out.number(extra.first);
   Mesh& mesh = out.mesh;
-  mesh.tets.resize(kept.size() + extra.tets.size());
-  mesh.tet_in.resize(mesh.tets.size());
+  std::vector<Placed> placed(kept.size() + extra.tets.size());
   tbb::parallel_for(std::size_t{0}, kept.size(), [&](std::size_t i) {
     const auto& v = tets.tets[kept[i]];
-    mesh.tets[i] = {out(v[0].index()), out(v[1].index()), out(v[2].index()), out(v[3].index())};
-    mesh.tet_in[i] = band.region(kept[i]);
+    placed[i] = {{out(v[0].index()), out(v[1].index()), out(v[2].index()), out(v[3].index())},
+                 band.region(kept[i])};
   });
   tbb::parallel_for(std::size_t{0}, extra.tets.size(), [&](std::size_t i) {
     const auto& v = extra.tets[i];
-    mesh.tets[kept.size() + i] = {out(v[0]), out(v[1]), out(v[2]), out(v[3])};
-    mesh.tet_in[kept.size() + i] = extra.region[i];
+    placed[kept.size() + i] = {{out(v[0]), out(v[1]), out(v[2]), out(v[3])}, extra.region[i]};
   });
-  order_by_vertices(mesh);
+  take_in_order(std::move(placed), mesh);
   const std::vector<BoundaryFacet>& facets = band.facets(tets, on);
   mesh.triangles.resize(facets.size());
   mesh.triangle_on.resize(facets.size());

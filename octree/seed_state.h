@@ -9,7 +9,7 @@
 namespace octet {
 
 /// Shares of the local size; the values are those of the scan in docs/ARCHITECTURE.md ("Thinning").
-inline constexpr double kFaceSpacing = 0.8;    ///< between points in the closure of one face
+inline constexpr double kFaceSpacing = 0.76;   ///< between points in the closure of one face
 inline constexpr double kMatchDistance = 0.7;  ///< sheets and edges closer than this get matched pairs
 
 struct SeedState {

@@ -97,7 +97,7 @@ TEST(Seeds, FacePointsKeepTheirDistanceFromTheClosureOfTheirFace) {
     for (std::size_t j = 0; j < stage.seeds.surface_points; ++j)
       if (i != j && model.in_closure(points.on[j], points.on[i])) {
         EXPECT_GT((points.position[i] - points.position[j]).norm(),
-                  0.8 * kSpacingPerOctant * 0.2 * (1 - 1e-6));
+                  0.76 * kSpacingPerOctant * 0.2 * (1 - 1e-6));
       }
   }
 }
