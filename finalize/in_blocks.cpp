@@ -88,6 +88,14 @@ struct Task {
     options.held.resize(block.held);
     std::iota(options.held.begin(), options.held.end(), static_cast<Mesh::Index>(block.fixed));
     shop = std::make_unique<Workshop>(block.mesh, model, options);
+    block.mesh = {};  // the shop has it, and the whole mesh has it as it was
+  }
+
+  void work(const MeshBlocks& blocks, std::size_t b, Chosen chosen, const Model& model, Observer& observer) {
+    report = run_schedule(*shop, chosen, block.mesh, observer);
+    shop.reset();
+    if (block.mesh.tets.empty()) block.mesh = blocks.cut_out(b).mesh;
+    after = measures_of(block.mesh, model);
   }
 };
 
@@ -195,9 +203,7 @@ class Passage {
     for_each_block(tasks.size(), [&](std::size_t b) {
       Task& task = tasks[b];
       task.shop->guard.aim_at(account_.goals_of(task.before), *at_first_);
-      task.report = run_schedule(*task.shop, chosen, task.block.mesh, watch);
-      task.shop.reset();
-      task.after = measures_of(task.block.mesh, model_);
+      task.work(blocks, b, chosen, model_, watch);
     });
     std::size_t count = 0;
     for (const Task& task : tasks) {
