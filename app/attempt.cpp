@@ -133,6 +133,12 @@ std::optional<OtherPlace> out_of_tips(const Model& model, const Tips& tips, int 
   return OtherPlace{*on_ring, kClear * tip->ring_radius()};
 }
 
+/// Gives the memory back, which `list = {}` does not.
+template <class T>
+void release(std::vector<T>& list) {
+  std::vector<T>().swap(list);
+}
+
 }  // namespace
 
 int Attempt::region_of(const Model& model, const Vec3& p) const {
@@ -153,8 +159,7 @@ void Attempt::forget_band() {
   band.reset();
   chains.reset();
   triangulation = Triangulation();
-  on = {};
-  cuts = {};
+  release(on);
   seeds = {};
   split.band = {};
 }
@@ -176,15 +181,15 @@ void place_points(Attempt& attempt, const Model& model, const SeedOptions& optio
                                      attempt.cuts);
            });
   attempt.labels = std::move(labels);
-  attempt.edges = {};
-  attempt.cuts = {};
+  release(attempt.edges);
+  release(attempt.cuts);
   attempt.seeds = seeder.seed_octree(attempt.vertices, attempt.labels);
   attempt.split =
       split_interior(model, attempt.tree, attempt.vertices, attempt.labels, attempt.seeds, options.size);
   attempt.seed_points = attempt.seeds.points.size();
   attempt.seeds.points = {};
-  attempt.seeds.octree_vertex_kept = {};
-  attempt.seeds.octree_point = {};
+  release(attempt.seeds.octree_vertex_kept);
+  release(attempt.seeds.octree_point);
 }
 
 void triangulate(Attempt& attempt, const Model& model) {
