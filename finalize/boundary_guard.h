@@ -124,6 +124,8 @@ class BoundaryGuard {
   /// errors of area while areas are guarded.
   [[nodiscard]] bool admits(std::span<const MeasureChange> changes) const;
   void take(std::span<const MeasureChange> changes);
+  /// Volumes and areas as the mesh is now, `volume_beyond` included.
+  [[nodiscard]] const Measures& measures() const { return measures_; }
   /// Sum of the faces' errors of area as the mesh is now.
   [[nodiscard]] double area_error() const { return area_error_; }
   /// To be asked for where the worst elements are chased: there collapses would make fillets coarser. Else

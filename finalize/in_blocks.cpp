@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/parallel_reduce.h>
 #include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
@@ -21,7 +20,7 @@
 #include "finalize/measure_account.h"
 #include "finalize/mesh_blocks.h"
 #include "finalize/schedule.h"
-#include "finalize/shape.h"
+#include "mesh/quality.h"
 
 namespace octet {
 namespace {
@@ -81,13 +80,13 @@ struct Task {
 
   void begin(const MeshBlocks& blocks, std::size_t b, const Model& model, const FinalizeOptions& of_all) {
     block = blocks.cut_out(b);
-    before = measures_of(block.mesh, model);
     options = of_all;
     options.volume_beyond.clear();  // the account has it
     options.fixed_vertices = block.fixed;
     options.held.resize(block.held);
     std::iota(options.held.begin(), options.held.end(), static_cast<Mesh::Index>(block.fixed));
     shop = std::make_unique<Workshop>(block.mesh, model, options);
+    before = shop->guard.measures();
     block.mesh = {};  // the shop has it, and the whole mesh has it as it was
   }
 
@@ -102,22 +101,6 @@ struct Task {
 std::array<Vec3, 4> corners(const Mesh& mesh, std::size_t tet) {
   const auto& t = mesh.tets[tet];
   return {mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]], mesh.points[t[3]]};
-}
-
-Extremes extremes(const Mesh& mesh, double target) {
-  return tbb::parallel_reduce(
-      tbb::blocked_range<std::size_t>(0, mesh.tets.size(), 4096), Extremes(target),
-      [&](const auto& range, Extremes sum) {
-        for (std::size_t i = range.begin(); i < range.end(); ++i) {
-          const std::array<Vec3, 4> p = corners(mesh, i);
-          sum.add(shape(p[0], p[1], p[2], p[3]), p);
-        }
-        return sum;
-      },
-      [](Extremes a, const Extremes& b) {
-        a.join(b);
-        return a;
-      });
 }
 
 /// Those of the vertices that stayed, as they are numbered now.
@@ -184,10 +167,10 @@ class Passage {
 
   [[nodiscard]] FinalizeReport finish() {
     sort_boundary(mesh_);
-    const Extremes after = extremes(mesh_, options_.target_dihedral);
-    report_.min_dihedral_after = after.range().smallest;
-    report_.max_dihedral_after = after.range().largest;
-    report_.below_target = after.below_target();
+    const DihedralExtremes after = dihedral_extremes(mesh_, options_.target_dihedral);
+    report_.min_dihedral_after = after.range.smallest;
+    report_.max_dihedral_after = after.range.largest;
+    report_.below_target = after.below;
     return report_;
   }
 

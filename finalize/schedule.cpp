@@ -9,6 +9,7 @@
 #include "finalize/improve.h"
 #include "finalize/relax.h"
 #include "finalize/shape.h"
+#include "mesh/quality.h"
 
 namespace octet {
 namespace {
@@ -64,14 +65,28 @@ void raise_mean(Workshop& shop, double floor, int sweeps, Observer& observer) {
   forget_failures(shop);
 }
 
-Extremes extremes(const WorkMesh& mesh, double target) {
-  Extremes result(target);
+/// Where shapes are known, most tetrahedra need no look at their angles.
+DihedralExtremes extremes(const WorkMesh& mesh, double target) {
+  const double of_target = squared_cotangent(target);
+  DihedralCotangents range{0.0, 0.0};
+  const auto angles = [&] {
+    return DihedralRange{angle_of_cotangent(range.smallest), angle_of_cotangent(range.largest)};
+  };
+  std::size_t below = 0;
+  double of_note = 1.0;
   for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
     const TetId t(i);
-    if (mesh.alive(t))
-      result.add(mesh.quality[t], {mesh.point(t, 0), mesh.point(t, 1), mesh.point(t, 2), mesh.point(t, 3)});
+    if (mesh.quality[t] > of_note || !mesh.alive(t)) continue;
+    const DihedralCotangents own =
+        dihedral_cotangents(mesh.point(t, 0), mesh.point(t, 1), mesh.point(t, 2), mesh.point(t, 3));
+    if (own.smallest > of_target) ++below;
+    if (own.smallest <= range.smallest && own.largest >= range.largest) continue;
+    range = {std::max(range.smallest, own.smallest), std::min(range.largest, own.largest)};
+    // The shape is no more than the squared sine of any of the angles.
+    const DihedralRange now = angles();
+    of_note = 1.001 * shape_of_angle(std::max({now.smallest, std::numbers::pi - now.largest, target}));
   }
-  return result;
+  return {angles(), below};
 }
 
 /// All that the scope asks for.
@@ -110,36 +125,9 @@ void improve_all(Workshop& shop, double target, double polish, double chased, Ob
 
 }  // namespace
 
-Extremes::Extremes(double target) : target_(target), of_target_(squared_cotangent(target)) {}
-
-void Extremes::add(double shape, const std::array<Vec3, 4>& points) {
-  if (shape > of_note_) return;
-  const DihedralCotangents own = dihedral_cotangents(points[0], points[1], points[2], points[3]);
-  if (own.smallest > of_target_) ++below_target_;
-  if (own.smallest <= range_.smallest && own.largest >= range_.largest) return;
-  range_ = {std::max(range_.smallest, own.smallest), std::min(range_.largest, own.largest)};
-  note_more();
-}
-
-void Extremes::join(const Extremes& other) {
-  range_ = {std::max(range_.smallest, other.range_.smallest), std::min(range_.largest, other.range_.largest)};
-  below_target_ += other.below_target_;
-  note_more();
-}
-
-DihedralRange Extremes::range() const {
-  return {angle_of_cotangent(range_.smallest), angle_of_cotangent(range_.largest)};
-}
-
-/// The shape is no more than the squared sine of any of the angles.
-void Extremes::note_more() {
-  const DihedralRange angles = range();
-  of_note_ = 1.001 * shape_of_angle(std::max({angles.smallest, std::numbers::pi - angles.largest, target_}));
-}
-
 FinalizeReport run_schedule(Workshop& shop, Chosen chosen, Mesh& mesh, Observer& observer) {
   const FinalizeOptions& options = shop.options;
-  const Extremes before = extremes(shop.mesh, options.target_dihedral);
+  const DihedralExtremes before = extremes(shop.mesh, options.target_dihedral);
   const double polish = shape_of_angle(kPolishAngle);
   const double target = shape_of_angle(options.target_dihedral);
   const double chased = shape_of_angle(std::max(kChaseAngle, options.target_dihedral));
@@ -149,10 +137,10 @@ FinalizeReport run_schedule(Workshop& shop, Chosen chosen, Mesh& mesh, Observer&
     chase(shop, options.scope == FinalizeScope::kFast ? target : chased, polish, observer);
     open_obtuse(shop, observer);
   }
-  Extremes after = extremes(shop.mesh, options.target_dihedral);
-  const double smallest = before.range().smallest;
+  DihedralExtremes after = extremes(shop.mesh, options.target_dihedral);
+  const double smallest = before.range.smallest;
   const double kept = options.coarse_size_at ? std::min(smallest, options.target_dihedral) : smallest;
-  if (after.range().smallest < kept) {
+  if (after.range.smallest < kept) {
     // Shapes grow by the sine, which an obtuse angle may have won by: then the mesh given is the better one.
     shop.report = FinalizeReport{};
     after = before;
@@ -160,9 +148,9 @@ FinalizeReport run_schedule(Workshop& shop, Chosen chosen, Mesh& mesh, Observer&
     mesh = to_mesh(shop.mesh);
   }
   shop.report.min_dihedral_before = smallest;
-  shop.report.min_dihedral_after = after.range().smallest;
-  shop.report.max_dihedral_after = after.range().largest;
-  shop.report.below_target = after.below_target();
+  shop.report.min_dihedral_after = after.range.smallest;
+  shop.report.max_dihedral_after = after.range.largest;
+  shop.report.below_target = after.below;
   return shop.report;
 }
 

@@ -172,23 +172,85 @@ struct Shapes {
   Lanes ratio, volume;
 };
 
-OCTET_WIDE_CLONES void measure(const Mesh& mesh, const std::array<Mesh::Index, 4>* const (&tets)[kLanes],
-                               Shapes& shapes) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  LaneVec3 p[4];
+OCTET_LANEWISE void gather(const Mesh& mesh, const std::array<Mesh::Index, 4>* const (&tets)[kLanes],
+                           LaneVec3 (&p)[4]) {
   for (std::size_t lane = 0; lane < kLanes; ++lane)
     for (std::size_t k = 0; k < 4; ++k) p[k].set(lane, mesh.points[(*tets[lane])[k]]);
-  const Lanes volumes = six_volumes(p[0], p[1], p[2], p[3]), volume = volumes / 6.0;
+}
+
+/// Infinite as DihedralCotangents are.
+OCTET_LANEWISE void find_cotangents(const LaneVec3 (&p)[4], const Lanes& volumes, Lanes& smallest,
+                                    Lanes& largest) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Lanes lowest, highest;
-  find_cotangents(p[0], p[1], p[2], p[3], volumes, lowest, highest);
+  octet::find_cotangents(p[0], p[1], p[2], p[3], volumes, lowest, highest);
+  smallest = volumes > 0.0 ? highest : Lanes{} + kInfinity;
+  largest = volumes > 0.0 ? lowest : Lanes{} - kInfinity;
+}
+
+OCTET_WIDE_CLONES void cotangents(const Mesh& mesh, const std::array<Mesh::Index, 4>* const (&tets)[kLanes],
+                                  Lanes& smallest, Lanes& largest) {
+  LaneVec3 p[4];
+  gather(mesh, tets, p);
+  find_cotangents(p, six_volumes(p[0], p[1], p[2], p[3]), smallest, largest);
+}
+
+OCTET_WIDE_CLONES void measure(const Mesh& mesh, const std::array<Mesh::Index, 4>* const (&tets)[kLanes],
+                               Shapes& shapes) {
+  LaneVec3 p[4];
+  gather(mesh, tets, p);
+  const Lanes volumes = six_volumes(p[0], p[1], p[2], p[3]), volume = volumes / 6.0;
+  find_cotangents(p, volumes, shapes.smallest, shapes.largest);
   const Lanes squares = squared_edges(p[0], p[1], p[2], p[3]), ratio = mean_ratio_of(volume, squares);
-  shapes.smallest = volumes > 0.0 ? highest : Lanes{} + kInfinity;
-  shapes.largest = volumes > 0.0 ? lowest : Lanes{} - kInfinity;
   shapes.ratio = volume > 0.0 ? ratio : Lanes{};
   shapes.volume = volume;
 }
 
 }  // namespace quality_lanes
+
+namespace {
+
+/// Calls visit(first, used, tets) for lanes of tetrahedra first..first + used - 1; lanes beyond the last
+/// tetrahedron repeat it, and are not to be looked at.
+template <class Visit>
+void for_each_lanes(const Mesh& mesh, std::size_t first, std::size_t last, const Visit& visit) {
+  for (std::size_t t = first; t < last; t += kLanes) {
+    const std::size_t used = std::min(kLanes, last - t);
+    const std::array<Mesh::Index, 4>* tets[kLanes];
+    for (std::size_t lane = 0; lane < kLanes; ++lane) tets[lane] = &mesh.tets[t + std::min(lane, used - 1)];
+    visit(t, used, tets);
+  }
+}
+
+}  // namespace
+
+DihedralExtremes dihedral_extremes(const Mesh& mesh, double target) {
+  struct Block {
+    DihedralCotangents range{0.0, 0.0};
+    std::size_t below = 0;
+  };
+  const double of_target = squared_cotangent(target);
+  const auto of_block = [&](std::size_t first, std::size_t last) {
+    Block block;
+    for_each_lanes(mesh, first, last, [&](std::size_t, std::size_t used, const auto& tets) {
+      Lanes smallest, largest;
+      quality_lanes::cotangents(mesh, tets, smallest, largest);
+      for (std::size_t lane = 0; lane < used; ++lane) {
+        block.range.smallest = std::max(block.range.smallest, smallest[lane]);
+        block.range.largest = std::min(block.range.largest, largest[lane]);
+        block.below += smallest[lane] > of_target ? 1 : 0;
+      }
+    });
+    return block;
+  };
+  Block whole;
+  for (const Block& block : map_blocks<Block>(mesh.tets.size(), kBlock, of_block)) {
+    whole.range = {std::max(whole.range.smallest, block.range.smallest),
+                   std::min(whole.range.largest, block.range.largest)};
+    whole.below += block.below;
+  }
+  return {{angle_of_cotangent(whole.range.smallest), angle_of_cotangent(whole.range.largest)}, whole.below};
+}
 
 QualitySummary quality_summary(const Mesh& mesh) {
   QualitySummary summary;
@@ -213,11 +275,7 @@ QualitySummary quality_summary(const Mesh& mesh) {
   const auto of_block = [&](std::size_t first, std::size_t last) {
     Block block;
     quality_lanes::Shapes shapes;
-    for (std::size_t t = first; t < last; t += kLanes) {
-      // Lanes beyond the last tetrahedron repeat it, and are not looked at.
-      const std::size_t used = std::min(kLanes, last - t);
-      const std::array<Mesh::Index, 4>* tets[kLanes];
-      for (std::size_t lane = 0; lane < kLanes; ++lane) tets[lane] = &mesh.tets[t + std::min(lane, used - 1)];
+    for_each_lanes(mesh, first, last, [&](std::size_t t, std::size_t used, const auto& tets) {
       quality_lanes::measure(mesh, tets, shapes);
       for (std::size_t lane = 0; lane < used; ++lane) {
         smallest[t + lane] = shapes.smallest[lane];
@@ -227,7 +285,7 @@ QualitySummary quality_summary(const Mesh& mesh) {
                    shapes.volume[lane],
                    t + lane});
       }
-    }
+    });
     return block;
   };
   Block whole;

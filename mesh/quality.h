@@ -34,6 +34,14 @@ struct DihedralCotangents {
 /// sqrt(3/2) of the shortest height over the longest edge, 1 for the regular tetrahedron.
 [[nodiscard]] double aspect(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
+/// The extreme angles of tetrahedra, radians, right angles where there are none; and how many have one below
+/// a target.
+struct DihedralExtremes {
+  DihedralRange range;
+  std::size_t below = 0;
+};
+[[nodiscard]] DihedralExtremes dihedral_extremes(const Mesh& mesh, double target);
+
 struct QualitySummary {
   std::size_t tets = 0;
   double min_dihedral = 0.0, max_dihedral = 0.0;  ///< radians
