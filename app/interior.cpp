@@ -16,17 +16,37 @@ namespace {
 /// Octants and vertices a task.
 constexpr std::size_t kGrain = 4096;
 
+template <class Body>
+void parallel_over(std::size_t n, const Body& body) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, kGrain), [&](const auto& range) {
+    for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
+  });
+}
+
+/// From several threads at once.
+void flag(std::uint8_t& flagged) { std::atomic_ref(flagged).store(1, std::memory_order_relaxed); }
+
+/// Vertices on the octants for which `wanted`.
+template <class Wanted>
+std::vector<std::uint8_t> vertices_of(const OctreeVertices& vertices, std::size_t octants,
+                                      const Wanted& wanted) {
+  std::vector<std::uint8_t> flags(vertices.size(), 0);
+  parallel_over(octants, [&](std::size_t o) {
+    if (wanted(o)) for_each_vertex(vertices, OctantId(o), [&](std::uint32_t v) { flag(flags[v]); });
+  });
+  return flags;
+}
+
 /// Deep octants that share a vertex with one that is of the band become near.
 void part_near_from_deep(const OctreeVertices& vertices, std::vector<OctantRole>& role) {
-  std::vector<std::uint8_t> beside(vertices.size(), 0);
-  for (std::size_t i = 0; i < role.size(); ++i)
-    if (role[i] == OctantRole::kBand) flag_vertices(vertices, OctantId(i), beside);
-  for (std::size_t i = 0; i < role.size(); ++i) {
+  const std::vector<std::uint8_t> beside =
+      vertices_of(vertices, role.size(), [&](std::size_t o) { return role[o] == OctantRole::kBand; });
+  parallel_over(role.size(), [&](std::size_t i) {
     const auto& corners = vertices.corners[i];
     if (role[i] == OctantRole::kDeep &&
         std::any_of(corners.begin(), corners.end(), [&](std::uint32_t v) { return beside[v] != 0; }))
       role[i] = OctantRole::kNear;
-  }
+  });
 }
 
 /// Corners (x fastest) of the upper face of an octant, per axis, counter-clockwise seen from above.
@@ -53,15 +73,29 @@ void add_tets(const OctreeVertices& vertices, const SharedFace& face, const Numb
   for (int i = 0; i < 4; ++i) tets[i] = {lower, upper, rim[i], rim[(i + 1) % 4]};
 }
 
-/// The faces between template octants whose lower role is this.
-std::vector<SharedFace> shared_faces(const Octree& tree, const BandAndInterior& split, OctantRole wanted) {
-  return collect<SharedFace>(tree.size(), [&](std::size_t o, std::vector<SharedFace>& faces) {
-    if (split.role[o] < wanted) return;
-    for (std::uint8_t axis = 0; axis < 3; ++axis) {
+void find_faces(const Octree& tree, BandAndInterior& split) {
+  split.near = split.deep = OctantFaces(tree.size());
+  parallel_over(tree.size(), [&](std::size_t o) {
+    if (split.role[o] == OctantRole::kBand) return;
+    for (int axis = 0; axis < 3; ++axis) {
       const std::optional<OctantId> upper = tree.across(OctantId(o), axis, true);
-      if (upper && std::min(split.role[o], split.role[upper->index()]) == wanted)
-        faces.push_back({static_cast<std::uint32_t>(o), upper->index(), axis});
+      if (!upper) continue;
+      const OctantRole lower_role = std::min(split.role[o], split.role[upper->index()]);
+      if (lower_role == OctantRole::kBand) continue;
+      OctantFaces& faces = lower_role == OctantRole::kNear ? split.near : split.deep;
+      faces.add(o, axis, true);
+      faces.add(upper->index(), axis, false);
     }
+  });
+}
+
+/// Each once, with its octants.
+std::vector<SharedFace> shared_faces(const Octree& tree, const OctantFaces& faces) {
+  return collect<SharedFace>(tree.size(), [&](std::size_t o, std::vector<SharedFace>& found) {
+    if (!faces.any(o)) return;
+    for (std::uint8_t axis = 0; axis < 3; ++axis)
+      if (faces.has(o, axis, true))
+        found.push_back({static_cast<std::uint32_t>(o), tree.across(OctantId(o), axis, true)->index(), axis});
   });
 }
 
@@ -71,32 +105,25 @@ struct DeepVertices {
   std::vector<std::uint32_t> own;     ///< ascending
 };
 
-DeepVertices deep_vertices(const Octree& tree, const OctreeVertices& vertices, const BandAndInterior& split,
-                           const std::vector<SharedFace>& faces) {
-  std::vector<std::uint8_t> deep(vertices.size(), 0), other(vertices.size(), 0), shares(tree.size(), 0);
-  for (const SharedFace& face : faces) {
-    for (const std::uint8_t corner : kUpperFace[face.axis]) deep[vertices.corners[face.lower][corner]] = 1;
-    for (const std::uint32_t o : {face.lower, face.upper}) {
-      deep[vertices.centre(OctantId(o))] = 1;
-      ++shares[o];
-    }
-  }
-  for (std::size_t o = 0; o < tree.size(); ++o) {
-    if (split.role[o] != OctantRole::kDeep) flag_vertices(vertices, OctantId(o), other);
-    if (shares[o] < 6) other[vertices.centre(OctantId(o))] = 1;
-  }
-  DeepVertices result;
-  for (std::uint32_t v = 0; v < deep.size(); ++v) {
-    if (deep[v] != 0) (other[v] != 0 ? result.shared : result.own).push_back(v);
-  }
-  return result;
-}
-
-template <class Body>
-void parallel_over(std::size_t n, const Body& body) {
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, kGrain), [&](const auto& range) {
-    for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
+DeepVertices deep_vertices(const Octree& tree, const OctreeVertices& vertices, const BandAndInterior& split) {
+  std::vector<std::uint8_t> other =
+      vertices_of(vertices, tree.size(), [&](std::size_t o) { return split.role[o] != OctantRole::kDeep; });
+  std::vector<std::uint8_t> deep(vertices.size(), 0);
+  parallel_over(tree.size(), [&](std::size_t o) {
+    if (!split.deep.any(o)) return;
+    const std::uint32_t centre = vertices.centre(OctantId(o));
+    flag(deep[centre]);
+    if (!split.deep.all(o)) flag(other[centre]);
+    for (int axis = 0; axis < 3; ++axis)
+      if (split.deep.has(o, axis, true))
+        for (const std::uint8_t corner : kUpperFace[axis]) flag(deep[vertices.corners[o][corner]]);
   });
+  const auto those = [&](bool shared) {
+    return collect<std::uint32_t>(deep.size(), [&](std::size_t v, std::vector<std::uint32_t>& found) {
+      if (deep[v] != 0 && (other[v] != 0) == shared) found.push_back(static_cast<std::uint32_t>(v));
+    });
+  };
+  return {those(true), those(false)};
 }
 
 /// Whether the place lies in the four tetrahedra between two template octants: in the pyramid of one of them
@@ -107,8 +134,8 @@ bool is_between_templates(const Octree& tree, const BandAndInterior& split, cons
   const Vec3 off = place - tree.box(o).centre();
   Eigen::Index axis = 0;
   off.cwiseAbs().maxCoeff(&axis);
-  const std::optional<OctantId> other = tree.across(o, static_cast<int>(axis), off[axis] > 0.0);
-  return other && split.role[other->index()] != OctantRole::kBand;
+  const int side = static_cast<int>(axis);
+  return split.near.has(o.index(), side, off[axis] > 0.0) || split.deep.has(o.index(), side, off[axis] > 0.0);
 }
 
 /// Without the room to grow that resize() leaves.
@@ -129,6 +156,7 @@ BandAndInterior split_interior(const Model& model, const Octree& tree, const Oct
   split.role.assign(tree.size(), OctantRole::kBand);
   for (const OctantId o : templates) split.role[o.index()] = OctantRole::kDeep;
   part_near_from_deep(vertices, split.role);
+  find_faces(tree, split);
   const std::vector<std::uint8_t> in_band =
       band_vertices(tree, vertices, templates, seeds.octree_vertex_kept, length);
   const SeedPoints& all = seeds.points;
@@ -155,13 +183,13 @@ ExtraTets near_tets(const Octree& tree, const OctreeVertices& vertices, const Oc
     return number[v];
   };
   ExtraTets extra;
-  for (const SharedFace& face : shared_faces(tree, split, OctantRole::kNear)) {
-    extra.tets.resize(extra.tets.size() + 4);
-    add_tets(vertices, face, number_of, &extra.tets[extra.tets.size() - 4]);
-    extra.region.insert(extra.region.end(), 4, labels.region[face.lower]);
-  }
-  for (const std::uint32_t v :
-       deep_vertices(tree, vertices, split, shared_faces(tree, split, OctantRole::kDeep)).shared)
+  const std::vector<SharedFace> faces = shared_faces(tree, split.near);
+  extra.tets.resize(4 * faces.size());
+  extra.region.resize(4 * faces.size());
+  for (std::size_t n = 0; n < faces.size(); ++n) add_tets(vertices, faces[n], number_of, &extra.tets[4 * n]);
+  parallel_over(faces.size(),
+                [&](std::size_t n) { std::fill_n(&extra.region[4 * n], 4, labels.region[faces[n].lower]); });
+  for (const std::uint32_t v : deep_vertices(tree, vertices, split).shared)
     extra.first.push_back(number_of(v));
   extra.covers = [&split, &tree](const Vec3& centroid) {
     return is_between_templates(tree, split, centroid);
@@ -177,17 +205,19 @@ ExtraTets near_tets(const Octree& tree, const OctreeVertices& vertices, const Oc
 std::vector<double> deep_volumes(const Octree& tree, const OctreeLabels& labels, const BandAndInterior& split,
                                  int regions) {
   std::vector<double> volume(static_cast<std::size_t>(regions) + 1, 0.0);
-  for (const SharedFace& face : shared_faces(tree, split, OctantRole::kDeep)) {
-    const double length = tree.length(tree[OctantId(face.lower)].level);
-    volume[labels.region[face.lower]] += length * length * length / 3.0;
+  for (std::size_t o = 0; o < tree.size(); ++o) {
+    if (!split.deep.any(o)) continue;
+    const double length = tree.length(tree[OctantId(o)].level);
+    for (int axis = 0; axis < 3; ++axis)
+      if (split.deep.has(o, axis, true)) volume[labels.region[o]] += length * length * length / 3.0;
   }
   return volume;
 }
 
 std::size_t append_deep(const Octree& tree, const OctreeVertices& vertices, const OctreeLabels& labels,
                         const BandAndInterior& split, Mesh& mesh) {
-  const std::vector<SharedFace> faces = shared_faces(tree, split, OctantRole::kDeep);
-  const DeepVertices deep = deep_vertices(tree, vertices, split, faces);
+  const std::vector<SharedFace> faces = shared_faces(tree, split.deep);
+  const DeepVertices deep = deep_vertices(tree, vertices, split);
   const std::size_t first_point = mesh.points.size(), first_tet = mesh.tets.size();
 
   std::vector<std::uint32_t> number(vertices.size(), UINT32_MAX);

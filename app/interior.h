@@ -3,6 +3,7 @@
 // only these use.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <vector>
 
@@ -21,10 +22,33 @@ enum class OctantRole : std::uint8_t {
   kDeep,  ///< the same, straight into the result
 };
 
+/// Faces of octants, a bit each, per octant.
+class OctantFaces {
+ public:
+  explicit OctantFaces(std::size_t octants = 0) : bits_(octants, 0) {}
+
+  [[nodiscard]] static std::uint8_t bit(int axis, bool upper) {
+    return static_cast<std::uint8_t>(1U << (upper ? axis : 3 + axis));
+  }
+  [[nodiscard]] bool has(std::size_t octant, int axis, bool upper) const {
+    return (bits_[octant] & bit(axis, upper)) != 0;
+  }
+  [[nodiscard]] bool any(std::size_t octant) const { return bits_[octant] != 0; }
+  [[nodiscard]] bool all(std::size_t octant) const { return bits_[octant] == 0b11'1111; }
+  /// From several threads at once.
+  void add(std::size_t octant, int axis, bool upper) {
+    std::atomic_ref(bits_[octant]).fetch_or(bit(axis, upper), std::memory_order_relaxed);
+  }
+
+ private:
+  std::vector<std::uint8_t> bits_;
+};
+
 /// The points split into those of the band (triangulated) and those of the interior alone.
 struct BandAndInterior {
   SeedPoints band;               ///< surface points first, as in the seeds, then band octree vertices
   std::vector<OctantRole> role;  ///< per octant
+  OctantFaces near, deep;        ///< faces between template octants whose lower role is this
   std::size_t templates = 0;     ///< octants that are no band octants
   std::vector<std::uint32_t> band_point;  ///< per octree vertex: its number in `band`, UINT32_MAX where none
 };
