@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <memory>
 
 #include "base/blocks.h"
-#include "base/bucket_sort.h"
 
 namespace octet {
 namespace {
@@ -58,20 +58,35 @@ int nearest_face(const Model& model, const Vec3& p) {
 
 struct Placed {
   std::array<Mesh::Index, 4> tet;
-  std::int32_t region = 0;
+  std::int32_t region;
 };
 
-/// Into the order of their lowest vertices, so that neighbours lie near each other in memory too.
-void take_in_order(std::vector<Placed> placed, Mesh& mesh) {
-  bucket_sort(
-      placed, mesh.points.size(),
-      [](const Placed& p) { return *std::min_element(p.tet.begin(), p.tet.end()); },
-      [](const Placed& a, const Placed& b) { return a.tet < b.tet; });
-  mesh.tets.resize(placed.size());
-  mesh.tet_in.resize(placed.size());
-  tbb::parallel_for(std::size_t{0}, placed.size(), [&](std::size_t i) {
-    mesh.tets[i] = placed[i].tet;
-    mesh.tet_in[i] = placed[i].region;
+/// make(i) for i < count, in the order of their lowest vertices, so that neighbours lie near each other in
+/// memory too. They are made twice and kept once, for they are most of what is in memory here.
+template <class Make>
+void take_in_order(std::size_t count, const Make& make, Mesh& mesh) {
+  const auto lowest = [](const Placed& p) { return *std::min_element(p.tet.begin(), p.tet.end()); };
+  std::vector<std::uint32_t> end(mesh.points.size() + 1, 0);
+  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+    std::atomic_ref(end[lowest(make(i)) + 1]).fetch_add(1, std::memory_order_relaxed);
+  });
+  for (std::size_t v = 1; v < end.size(); ++v) end[v] += end[v - 1];
+  const auto sorted = std::make_unique_for_overwrite<Placed[]>(count);
+  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+    const Placed p = make(i);
+    sorted[std::atomic_ref(end[lowest(p)]).fetch_add(1, std::memory_order_relaxed)] = p;
+  });
+  mesh.tets.resize(count);
+  mesh.tet_in.resize(count);
+  // Threads have put them in any order: no two with the same lowest vertex are alike.
+  tbb::parallel_for(std::size_t{0}, mesh.points.size(), [&](std::size_t v) {
+    Placed* const first = sorted.get() + (v == 0 ? 0 : end[v - 1]);
+    Placed* const last = sorted.get() + end[v];
+    std::sort(first, last, [](const Placed& a, const Placed& b) { return a.tet < b.tet; });
+    for (const Placed* p = first; p != last; ++p) {
+      mesh.tets[static_cast<std::size_t>(p - sorted.get())] = p->tet;
+      mesh.tet_in[static_cast<std::size_t>(p - sorted.get())] = p->region;
+    }
   });
 }
 
@@ -102,17 +117,18 @@ Mesh extract_mesh(Band& band, const TetMesh& tets, std::span<const Vec3> points,
   });
   out.number(extra.first);
   Mesh& mesh = out.mesh;
-  std::vector<Placed> placed(kept.size() + extra.tets.size());
-  tbb::parallel_for(std::size_t{0}, kept.size(), [&](std::size_t i) {
-    const auto& v = tets.tets[kept[i]];
-    placed[i] = {{out(v[0].index()), out(v[1].index()), out(v[2].index()), out(v[3].index())},
-                 band.region(kept[i])};
-  });
-  tbb::parallel_for(std::size_t{0}, extra.tets.size(), [&](std::size_t i) {
-    const auto& v = extra.tets[i];
-    placed[kept.size() + i] = {{out(v[0]), out(v[1]), out(v[2]), out(v[3])}, extra.region[i]};
-  });
-  take_in_order(std::move(placed), mesh);
+  take_in_order(
+      kept.size() + extra.tets.size(),
+      [&](std::size_t i) -> Placed {
+        if (i >= kept.size()) {
+          const auto& v = extra.tets[i - kept.size()];
+          return {{out(v[0]), out(v[1]), out(v[2]), out(v[3])}, extra.region[i - kept.size()]};
+        }
+        const auto& v = tets.tets[kept[i]];
+        return {{out(v[0].index()), out(v[1].index()), out(v[2].index()), out(v[3].index())},
+                band.region(kept[i])};
+      },
+      mesh);
   const std::vector<BoundaryFacet>& facets = band.facets(tets, on);
   mesh.triangles.resize(facets.size());
   mesh.triangle_on.resize(facets.size());
