@@ -2,6 +2,7 @@
 // Sizes on the command line, from files, and from a previous mesh.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -160,6 +161,27 @@ TEST(SizeCommand, TargetElementsAreMetWithinFifteenPercent) {
     EXPECT_NEAR(Json::parse(read_bytes(out.file("a.json")))["tets"].get<double>() / target, 1.0, 0.15)
         << part;
   }
+}
+
+TEST(SizeCommand, WhatOtherSizesTookIsTold) {
+  const TemporaryDirectory out;
+  int tried_again = 0;
+  for (const int target : {3000, 9000, 30000, 70000}) {
+    const ProgramRun run =
+        run_octet({"mesh", model_file("bracket.step"), "-o", out.file("a.msh"), "--report",
+                   out.file("a.json"), "--target-elements", std::to_string(target), "--verbose"});
+    ASSERT_EQ(run.exit_code, kExitComplete) << run.err;
+    std::size_t makings = 0;
+    for (std::size_t at = 0; (at = run.err.find("] octree", at)) != std::string::npos; ++at) ++makings;
+    const Json times = Json::parse(read_bytes(out.file("a.json")))["times"];
+    const auto rest = std::find_if(times.begin(), times.end(),
+                                   [](const Json& stage) { return stage["stage"] == "other tries"; });
+    EXPECT_EQ(rest != times.end(), makings > 1) << run.err;
+    if (rest == times.end()) continue;
+    EXPECT_GT((*rest)["seconds"].get<double>(), 0.0);
+    ++tried_again;
+  }
+  EXPECT_GT(tried_again, 0);
 }
 
 TEST(SizeCommand, InfoTellsTheSizesAndWhy) {
