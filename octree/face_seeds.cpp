@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Points on model faces: the exact cuts of octant edges, thinned by spacing, in matched pairs.
 #include <optional>
+#include <string_view>
+#include <vector>
 
 #include "base/error.h"
 #include "geom/face_match.h"
@@ -18,7 +20,12 @@ struct FacePoint {
 
 class FaceSeeder {
  public:
-  explicit FaceSeeder(SeedState& state) : state_(state), model_(state.model) {}
+  explicit FaceSeeder(SeedState& state)
+      : state_(state), model_(state.model), spacing_(static_cast<std::size_t>(model_.count(2)) + 1) {
+    for (int f = 1; f <= model_.count(2); ++f)
+      spacing_[static_cast<std::size_t>(f)] =
+          std::string_view(model_.surface(f).kind()) == "plane" ? kPlaneSpacing : kFaceSpacing;
+  }
 
   /// A vertex or edge that comes close to a face it does not bound gets a partner on that face.
   void match_vertices_and_edges() {
@@ -75,9 +82,9 @@ class FaceSeeder {
   [[nodiscard]] bool is_free(const FacePoint& a) const {
     const ModelRef face = model_face(a.face);
     const SeedPoints& points = state_.seeds.points;
-    if (state_.points_grid.any_within(a.p, kFaceSpacing * a.size, [&](std::uint32_t n, double) {
-          return model_.in_closure(points.on[n], face);
-        }))
+    if (state_.points_grid.any_within(
+            a.p, spacing_[static_cast<std::size_t>(a.face)] * a.size,
+            [&](std::uint32_t n, double) { return model_.in_closure(points.on[n], face); }))
       return false;
     return !state_.piece_grid.any_within(a.p, a.size, [&](std::uint32_t n, double) {
       const EdgePiece& piece = state_.seeds.pieces[n];
@@ -94,6 +101,7 @@ class FaceSeeder {
 
   SeedState& state_;
   const Model& model_;
+  std::vector<double> spacing_;  ///< per face
 };
 
 }  // namespace

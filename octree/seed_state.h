@@ -8,9 +8,11 @@
 
 namespace octet {
 
-/// Shares of the local size; the values are those of the scan in docs/ARCHITECTURE.md ("Thinning").
-inline constexpr double kFaceSpacing = 0.76;   ///< between points in the closure of one face
-inline constexpr double kMatchDistance = 0.7;  ///< sheets and edges closer than this get matched pairs
+// Shares of the local size, as docs/ARCHITECTURE.md ("Points") has them.
+/// Between points in the closure of one face: of a curved one, whose triangles are chords, and of a plane.
+inline constexpr double kFaceSpacing = 0.7, kPlaneSpacing = 0.8;
+/// Sheets and edges closer than this get matched pairs.
+inline constexpr double kMatchDistance = 0.7;
 
 struct SeedState {
   SeedState(const Model& m, const Octree& t, double edge_cell)

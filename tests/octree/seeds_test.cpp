@@ -88,18 +88,28 @@ TEST(Seeds, PointsLieOnTheirEntities) {
   }
 }
 
-TEST(Seeds, FacePointsKeepTheirDistanceFromTheClosureOfTheirFace) {
-  const Model model = analytic_box(Vec3(1, 1.3, 0.9), {oblique(), 1e-3});
-  const Stage stage = seed(model, 0.2);
+/// The least distance between a point on a face and others of its closure, in spacings of octants of `size`.
+double least_on_a_face(const Model& model, double size) {
+  const Stage stage = seed(model, size);
   const SeedPoints& points = stage.seeds.points;
+  double least = 10.0;
   for (std::size_t i = 0; i < stage.seeds.surface_points; ++i) {
     if (points.on[i].dim != 2) continue;
     for (std::size_t j = 0; j < stage.seeds.surface_points; ++j)
-      if (i != j && model.in_closure(points.on[j], points.on[i])) {
-        EXPECT_GT((points.position[i] - points.position[j]).norm(),
-                  0.76 * kSpacingPerOctant * 0.2 * (1 - 1e-6));
-      }
+      if (i != j && model.in_closure(points.on[j], points.on[i]))
+        least =
+            std::min(least, (points.position[i] - points.position[j]).norm() / (kSpacingPerOctant * size));
   }
+  return least;
+}
+
+TEST(Seeds, FacePointsKeepTheirDistanceFromTheClosureOfTheirFace) {
+  const double on_planes = least_on_a_face(analytic_box(Vec3(1, 1.3, 0.9), {oblique(), 1e-3}), 0.2);
+  EXPECT_GT(on_planes, 0.8 * (1 - 1e-6));
+  EXPECT_LT(on_planes, 0.9);
+  const double on_a_ball = least_on_a_face(analytic_ball(1.0, {oblique(), 1e-3}), 0.25);
+  EXPECT_GT(on_a_ball, 0.7 * (1 - 1e-6));
+  EXPECT_LT(on_a_ball, 0.8) << "chords of curved faces are shorter";
 }
 
 /// Of octree points inside, how near the nearest is to the surface, in local sizes.
