@@ -37,78 +37,45 @@ int face_towards(const WorkMesh& work, TetId t, TetId n) {
   return static_cast<int>(std::find(across.begin(), across.end(), n) - across.begin());
 }
 
-/// The corners of a tetrahedron by ascending vertex: the vertex and, in the last two bits, the local number.
-class SortedCorners {
- public:
-  explicit SortedCorners(const std::array<VertexId, 4>& v) {
-    for (std::uint64_t c = 0; c < 4; ++c) keys_[c] = std::uint64_t{v[c].index()} << 2 | c;
-    for (const auto& [i, j] : {std::pair(0, 1), {2, 3}, {0, 2}, {1, 3}, {1, 2}}) {
-      const std::uint64_t lower = std::min(keys_[i], keys_[j]), upper = std::max(keys_[i], keys_[j]);
-      keys_[i] = lower;
-      keys_[j] = upper;
-    }
-  }
-  [[nodiscard]] std::uint32_t vertex(int place) const {
-    return static_cast<std::uint32_t>(keys_[place] >> 2);
-  }
-  [[nodiscard]] int corner(int place) const { return static_cast<int>(keys_[place] & 3); }
-  /// The face opposite to that corner.
-  [[nodiscard]] Triple face(int place) const {
-    return {vertex(place == 0 ? 1 : 0), vertex(place <= 1 ? 2 : 1), vertex(place <= 2 ? 3 : 2)};
-  }
-
- private:
-  std::array<std::uint64_t, 4> keys_;
-};
-
 /// The faces met so far, each by its first side, in buckets by the smallest vertex: a dozen each, so that
 /// looking through one is quicker than sorting all.
 class MetFaces {
  public:
   explicit MetFaces(const WorkMesh& work) : begin_(work.points.size() + 1, 0) {
     for (const auto& v : work.tets) {
-      const SortedCorners sorted(v);
-      begin_[sorted.vertex(0) + 1] += 3;
-      begin_[sorted.vertex(1) + 1] += 1;
+      for (const auto& f : kTetFace) ++begin_[std::min({v[f[0]], v[f[1]], v[f[2]]}).index() + 1];
     }
     for (std::size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
-    rest_.resize(begin_.back());
     sides_.resize(begin_.back());
     end_.assign(begin_.begin(), begin_.end() - 1);
   }
 
   struct Side {
+    std::uint64_t rest = 0;  ///< the other two vertices
     TetId tet;
     int face = 0;
   };
 
-  /// Null where the face, its vertices in ascending order, has not been met.
+  /// Null where the face has not been met.
   [[nodiscard]] const Side* find(const Triple& key) const {
     const std::uint64_t rest = rest_of(key);
     for (std::uint32_t i = begin_[key[0]]; i < end_[key[0]]; ++i)
-      if (rest_[i] == rest) return &sides_[i];
+      if (sides_[i].rest == rest) return &sides_[i];
     return nullptr;
   }
-  void add(const Triple& key, TetId t, int f) {
-    const std::uint32_t i = end_[key[0]]++;
-    rest_[i] = rest_of(key);
-    sides_[i] = {t, f};
-  }
+  void add(const Triple& key, TetId t, int f) { sides_[end_[key[0]]++] = {rest_of(key), t, f}; }
 
  private:
   static std::uint64_t rest_of(const Triple& key) { return std::uint64_t{key[1]} << 32 | key[2]; }
   std::vector<std::uint32_t> begin_, end_;
-  std::vector<std::uint64_t> rest_;  ///< the other two vertices
   std::vector<Side> sides_;
 };
 
 void link_neighbours(WorkMesh& work, MetFaces& faces) {
   for (std::size_t i = 0; i < work.tets.size(); ++i) {
     const TetId t(i);
-    const SortedCorners sorted(work.tets[t]);
-    for (int place = 0; place < 4; ++place) {
-      const int f = sorted.corner(place);
-      const Triple key = sorted.face(place);
+    for (int f = 0; f < 4; ++f) {
+      const Triple key = name_of(work, t, f).key;
       if (const MetFaces::Side* met = faces.find(key)) {
         OCTET_CHECK(!work.neighbours[met->tet][met->face].valid());  // no face has three tetrahedra
         work.neighbours[t][f] = met->tet;
