@@ -130,17 +130,14 @@ class Vagueness {
   double widest_ = 0.0;
 };
 
-/// Whether p, which the surface is near to, has it also on its other side, within a wall's thickness of so
-/// many sizes. The layer of octree vertices in the middle of such a wall stands or not by chance unless they
-/// may be near to its faces.
-bool is_in_wall(const Model& model, const Vec3& p, double spacing) {
+/// Whether p, whose nearest place on the surface is given, has the surface also on its other side, within a
+/// wall's thickness of so many sizes. The layer of octree vertices in the middle of such a wall stands or not
+/// by chance unless they may be near to its faces.
+bool is_in_wall(const Model& model, const Vec3& p, const Foot& surface, double spacing) {
   constexpr double kThickness = 3.5;
-  const std::optional<Foot> foot = model.closest(p, spacing);
-  if (!foot || foot->distance == 0.0) return false;
-  const Vec3 away = (p - foot->point) / foot->distance;
+  const Vec3 across = (kThickness * spacing - surface.distance) * (p - surface.point) / surface.distance;
   bool met = false;
-  model.bvh().visit_segment(p, p + (kThickness * spacing - foot->distance) * away,
-                            [&](std::uint32_t) { met = true; });
+  model.bvh().visit_segment(p, p + across, [&](std::uint32_t) { met = true; });
   return met;
 }
 
@@ -161,16 +158,18 @@ void seed_octree_vertices(SeedState& state, const OctreeVertices& vertices, cons
     return vagueness.covers(state.tree.position(vertices.at[v]), options.octree_clearance * spacing_at(v));
   };
   // Octree vertices are on a lattice of their own spacing: only points placed before them can be too close.
-  const auto is_crowded = [&](std::uint32_t v, const Vec3& p, double clear) {
-    return state.points_grid.any_within(p, clear, [](std::uint32_t, double) { return true; }) ||
-           (ring[v] == 0 && state.model.closest(p, clear));
-  };
   const auto is_clear = [&](std::uint32_t v) {
     const Vec3 p = state.tree.position(vertices.at[v]);
-    const double spacing = spacing_at(v);
-    if (is_crowded(v, p, options.octree_clearance * spacing) || is_vague(v)) return false;
-    if (options.open_clearance <= options.octree_clearance || labels.vertex_region[v] == 0) return true;
-    return !is_crowded(v, p, options.open_clearance * spacing) || is_in_wall(state.model, p, spacing);
+    const double spacing = spacing_at(v), clear = options.octree_clearance * spacing;
+    const double open_clear = std::max(options.octree_clearance, options.open_clearance) * spacing;
+    const std::optional<Foot> surface = ring[v] == 0 ? state.model.closest(p, open_clear) : std::nullopt;
+    const auto is_crowded = [&](double reach) {
+      return (surface && surface->distance < reach) ||
+             state.points_grid.any_within(p, reach, [](std::uint32_t, double) { return true; });
+    };
+    if (is_crowded(clear) || is_vague(v)) return false;
+    return labels.vertex_region[v] == 0 || !is_crowded(open_clear) ||
+           (surface && is_in_wall(state.model, p, *surface, spacing));
   };
   std::vector<std::uint8_t>& kept = seeds.octree_vertex_kept;
   kept.assign(vertices.size(), 0);

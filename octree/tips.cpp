@@ -232,7 +232,7 @@ std::optional<double> ring_parameter(const Model& model, const Tip& tip, int edg
 }
 
 double ring_spacing(const Tip& tip) {
-  constexpr double kRoom = 1.03;
+  constexpr double kRoom = 1.03;  // the face bulges between them
   return tip.ring_radius() / (kRoom * kFaceSpacing);
 }
 
