@@ -15,7 +15,9 @@ FinalizeReport finalize(Mesh& mesh, const Model& model, const FinalizeOptions& o
   if (std::optional<FinalizeReport> report = finalize_in_blocks(mesh, model, options, observer))
     return *report;
   Workshop shop(mesh, model, options);
-  return run_schedule(shop, Chosen::kByScope, mesh, observer);
+  Scheduled result = run_schedule(shop, Chosen::kByScope, observer);
+  if (result.better) mesh = *std::move(result.better);
+  return result.report;
 }
 
 }  // namespace octet

@@ -91,9 +91,10 @@ struct Task {
   }
 
   void work(const MeshBlocks& blocks, std::size_t b, Chosen chosen, const Model& model, Observer& observer) {
-    report = run_schedule(*shop, chosen, block.mesh, observer);
+    Scheduled result = run_schedule(*shop, chosen, observer);
     shop.reset();
-    if (block.mesh.tets.empty()) block.mesh = blocks.cut_out(b).mesh;
+    report = result.report;
+    block.mesh = result.better ? *std::move(result.better) : blocks.cut_out(b).mesh;
     after = measures_of(block.mesh, model);
   }
 };

@@ -125,7 +125,7 @@ void improve_all(Workshop& shop, double target, double polish, double chased, Ob
 
 }  // namespace
 
-FinalizeReport run_schedule(Workshop& shop, Chosen chosen, Mesh& mesh, Observer& observer) {
+Scheduled run_schedule(Workshop& shop, Chosen chosen, Observer& observer) {
   const FinalizeOptions& options = shop.options;
   const DihedralExtremes before = extremes(shop.mesh, options.target_dihedral);
   const double polish = shape_of_angle(kPolishAngle);
@@ -140,18 +140,20 @@ FinalizeReport run_schedule(Workshop& shop, Chosen chosen, Mesh& mesh, Observer&
   DihedralExtremes after = extremes(shop.mesh, options.target_dihedral);
   const double smallest = before.range.smallest;
   const double kept = options.coarse_size_at ? std::min(smallest, options.target_dihedral) : smallest;
+  Scheduled result;
   if (after.range.smallest < kept) {
     // Shapes grow by the sine, which an obtuse angle may have won by: then the mesh given is the better one.
     shop.report = FinalizeReport{};
     after = before;
   } else {
-    mesh = to_mesh(shop.mesh);
+    result.better = to_mesh(shop.mesh);
   }
-  shop.report.min_dihedral_before = smallest;
-  shop.report.min_dihedral_after = after.range.smallest;
-  shop.report.max_dihedral_after = after.range.largest;
-  shop.report.below_target = after.below;
-  return shop.report;
+  result.report = shop.report;
+  result.report.min_dihedral_before = smallest;
+  result.report.min_dihedral_after = after.range.smallest;
+  result.report.max_dihedral_after = after.range.largest;
+  result.report.below_target = after.below;
+  return result;
 }
 
 }  // namespace octet

@@ -2,6 +2,8 @@
 // What finalization does with a mesh, or with a block of one.
 #pragma once
 
+#include <optional>
+
 #include "base/observer.h"
 #include "finalize/workshop.h"
 
@@ -19,8 +21,11 @@ enum class Chosen {
   kWorst,    ///< the worst alone
 };
 
-/// Works on the mesh in the shop, which was made of `mesh`; puts the result there, or leaves it as it was
-/// where the smallest angle would be less.
-FinalizeReport run_schedule(Workshop& shop, Chosen chosen, Mesh& mesh, Observer& observer);
+struct Scheduled {
+  FinalizeReport report;
+  std::optional<Mesh> better;  ///< none where its smallest angle would be less than that of the mesh given
+};
+/// Works on the mesh in the shop.
+[[nodiscard]] Scheduled run_schedule(Workshop& shop, Chosen chosen, Observer& observer);
 
 }  // namespace octet
