@@ -6,8 +6,11 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <type_traits>
 #include <vector>
 
 namespace octet {
@@ -35,6 +38,30 @@ void bucket_sort(std::vector<Item>& items, std::size_t buckets, const BucketOf& 
   else
     tbb::parallel_for(all, sort_buckets);
   items.swap(sorted);
+}
+
+/// The items make(i), i < count, in that order, by all threads; each is made twice, so that none but the
+/// result is kept. Requires `less` to tell any two items of a bucket apart: threads put them there in any
+/// order.
+template <class Make, class BucketOf, class Less>
+[[nodiscard]] auto bucket_sorted(std::size_t count, std::size_t buckets, const Make& make,
+                                 const BucketOf& bucket_of, const Less& less) {
+  using Item = std::decay_t<decltype(make(std::size_t{0}))>;
+  std::vector<std::uint32_t> end(buckets + 1, 0);
+  const auto next = [&end](std::size_t place) {
+    return std::atomic_ref(end[place]).fetch_add(1, std::memory_order_relaxed);
+  };
+  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) { next(bucket_of(make(i)) + 1); });
+  for (std::size_t b = 0; b < buckets; ++b) end[b + 1] += end[b];
+  auto sorted = std::make_unique_for_overwrite<Item[]>(count);
+  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+    const Item item = make(i);
+    sorted[next(bucket_of(item))] = item;
+  });
+  tbb::parallel_for(std::size_t{0}, buckets, [&](std::size_t b) {
+    std::sort(sorted.get() + (b == 0 ? 0 : end[b - 1]), sorted.get() + end[b], less);
+  });
+  return sorted;
 }
 
 }  // namespace octet

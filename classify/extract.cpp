@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <memory>
 
 #include "base/blocks.h"
+#include "base/bucket_sort.h"
 
 namespace octet {
 namespace {
@@ -61,32 +61,19 @@ struct Placed {
   std::int32_t region;
 };
 
-/// make(i) for i < count, in the order of their lowest vertices, so that neighbours lie near each other in
-/// memory too. They are made twice and kept once, for they are most of what is in memory here.
+/// The tetrahedra make(i), i < count, in the order of their lowest vertices, so that neighbours lie near each
+/// other in memory too.
 template <class Make>
 void take_in_order(std::size_t count, const Make& make, Mesh& mesh) {
-  const auto lowest = [](const Placed& p) { return *std::min_element(p.tet.begin(), p.tet.end()); };
-  std::vector<std::uint32_t> end(mesh.points.size() + 1, 0);
-  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
-    std::atomic_ref(end[lowest(make(i)) + 1]).fetch_add(1, std::memory_order_relaxed);
-  });
-  for (std::size_t v = 1; v < end.size(); ++v) end[v] += end[v - 1];
-  const auto sorted = std::make_unique_for_overwrite<Placed[]>(count);
-  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
-    const Placed p = make(i);
-    sorted[std::atomic_ref(end[lowest(p)]).fetch_add(1, std::memory_order_relaxed)] = p;
-  });
+  const auto sorted = bucket_sorted(
+      count, mesh.points.size(), make,
+      [](const Placed& p) { return *std::min_element(p.tet.begin(), p.tet.end()); },
+      [](const Placed& a, const Placed& b) { return a.tet < b.tet; });
   mesh.tets.resize(count);
   mesh.tet_in.resize(count);
-  // Threads have put them in any order: no two with the same lowest vertex are alike.
-  tbb::parallel_for(std::size_t{0}, mesh.points.size(), [&](std::size_t v) {
-    Placed* const first = sorted.get() + (v == 0 ? 0 : end[v - 1]);
-    Placed* const last = sorted.get() + end[v];
-    std::sort(first, last, [](const Placed& a, const Placed& b) { return a.tet < b.tet; });
-    for (const Placed* p = first; p != last; ++p) {
-      mesh.tets[static_cast<std::size_t>(p - sorted.get())] = p->tet;
-      mesh.tet_in[static_cast<std::size_t>(p - sorted.get())] = p->region;
-    }
+  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+    mesh.tets[i] = sorted[i].tet;
+    mesh.tet_in[i] = sorted[i].region;
   });
 }
 

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <stdexcept>
 #include <thread>
@@ -63,6 +64,10 @@ TEST(BucketSort, SortsByBucketThenByLess) {
         [](std::uint64_t a, std::uint64_t b) { return a < b; }, sorting);
     EXPECT_EQ(sorted, expected);
   }
+  const auto made = bucket_sorted(
+      items.size(), kBuckets, [&](std::size_t i) { return items[i]; },
+      [](std::uint64_t item) { return item >> 20; }, [](std::uint64_t a, std::uint64_t b) { return a < b; });
+  EXPECT_TRUE(std::equal(expected.begin(), expected.end(), made.get()));
 }
 
 }  // namespace
