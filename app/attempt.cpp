@@ -160,7 +160,8 @@ void Attempt::forget_band() {
   chains.reset();
   triangulation = Triangulation();
   release(on);
-  seeds = {};
+  release(pieces);
+  tips = {};
   split.band = {};
 }
 
@@ -183,13 +184,12 @@ void place_points(Attempt& attempt, const Model& model, const SeedOptions& optio
   attempt.labels = std::move(labels);
   release(attempt.edges);
   release(attempt.cuts);
-  attempt.seeds = seeder.seed_octree(attempt.vertices, attempt.labels);
-  attempt.split =
-      split_interior(model, attempt.tree, attempt.vertices, attempt.labels, attempt.seeds, options.size);
-  attempt.seed_points = attempt.seeds.points.size();
-  attempt.seeds.points = {};
-  release(attempt.seeds.octree_vertex_kept);
-  release(attempt.seeds.octree_point);
+  Seeds seeds = seeder.seed_octree(attempt.vertices, attempt.labels);
+  attempt.split = split_interior(model, attempt.tree, attempt.vertices, attempt.labels, seeds, options.size);
+  attempt.seed_points = seeds.points.size();
+  attempt.surface_points = seeds.surface_points;
+  attempt.pieces = std::move(seeds.pieces);
+  attempt.tips = std::move(seeds.tips);
 }
 
 void triangulate(Attempt& attempt, const Model& model) {
@@ -200,7 +200,7 @@ void triangulate(Attempt& attempt, const Model& model) {
     if (!is_octree_vertex_rank(band.order[i])) places[i] = rounded(places[i], unit);
   attempt.triangulation.insert_all(places, band.order);
   attempt.on = attempt.split.band.on;
-  attempt.chains = std::make_unique<EdgeChains>(attempt.seeds.pieces);
+  attempt.chains = std::make_unique<EdgeChains>(attempt.pieces);
   attempt.band = std::make_unique<Band>(
       model, [&attempt, &model](const Vec3& p) { return attempt.region_of(model, p); });
 }
@@ -217,7 +217,7 @@ void close_holes(Attempt& attempt, const Model& model, double size, AttributeLim
                  Observer& observer) {
   const EdgeIndex edges(model, size);
   limits.cell_at = [&](const Vec3& p) { return std::size_t{attempt.tree.find(p).index()}; };
-  limits.elsewhere = [&](int face, const Vec3& p) { return out_of_tips(model, attempt.seeds.tips, face, p); };
+  limits.elsewhere = [&](int face, const Vec3& p) { return out_of_tips(model, attempt.tips, face, p); };
   attempt.closed =
       close_gaps(attempt.triangulation, *attempt.band, *attempt.chains, attempt.on, edges, limits, observer);
 }
@@ -279,7 +279,7 @@ std::optional<Octree> subdivide_at(const Octree& tree, const std::vector<Vec3>& 
 bool crosses_all_over(const Attempt& attempt) {
   constexpr std::size_t kPointsPerConflict = 20;
   return attempt.closed.gaps.size() > kHopelessGaps ||
-         kPointsPerConflict * attempt.labels.conflicts.size() > attempt.seeds.surface_points;
+         kPointsPerConflict * attempt.labels.conflicts.size() > attempt.surface_points;
 }
 
 }  // namespace octet

@@ -25,8 +25,10 @@ struct Attempt {
   std::vector<OctantEdge> edges;    ///< of boundary octants; until points are placed, like
   std::vector<OctantEdgeCut> cuts;  ///< these
   OctreeLabels labels;              ///< of octants once the tree is cut, of vertices once points are placed
-  Seeds seeds;                      ///< without the points themselves, which are in `split`
-  std::size_t seed_points = 0;      ///< how many there were, those of template octants included
+  std::size_t seed_points = 0;      ///< how many points were placed, those of template octants included
+  std::size_t surface_points = 0;   ///< how many of them on the boundary
+  std::vector<EdgePiece> pieces;    ///< as the seeds have them
+  Tips tips;
   BandAndInterior split;
   Triangulation triangulation;
   std::vector<ModelRef> on;  ///< per vertex of the triangulation

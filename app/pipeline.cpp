@@ -233,7 +233,7 @@ class Run {
   /// The loop of attribute points, from where the attempt is.
   void close_attempt(Attempt& attempt, double floor_share) {
     AttributeLimits limits;
-    limits.points = 4 * attempt.seeds.surface_points + 2000;
+    limits.points = 4 * attempt.surface_points + 2000;
     limits.per_cell = kPointsPerOctant;
     limits.gaps = most_gaps(attempt);
     limits.floor = floor_share * finest_octant();
@@ -255,7 +255,7 @@ class Run {
   }
 
   [[nodiscard]] static std::size_t most_gaps(const Attempt& attempt) {
-    return attempt.tree.size() > kLargeTree ? attempt.seeds.surface_points
+    return attempt.tree.size() > kLargeTree ? attempt.surface_points
                                             : std::numeric_limits<std::size_t>::max();
   }
 
@@ -292,7 +292,7 @@ class Run {
     place_points(*next, model_, seeds_);
     tell_conflicts(next->labels.conflicts);
     observer_.note(fmt::format("points: {} on the boundary, {} in all, {} triangulated; {} template octants",
-                               next->seeds.surface_points, next->seed_points, next->split.band.size(),
+                               next->surface_points, next->seed_points, next->split.band.size(),
                                next->split.templates));
     begin("triangulation", 0.3);
     triangulate(*next, model_);

@@ -9,7 +9,7 @@ namespace {
 
 TEST(Attempt, CrossesAllOverByItsGapsOrByWhatDisagrees) {
   Attempt attempt(Octree{Vec3::Zero(), 1.0, {Octant{}}});
-  attempt.seeds.surface_points = 200;
+  attempt.surface_points = 200;
   attempt.labels.conflicts.resize(10);
   attempt.closed.gaps.resize(kHopelessGaps);
   EXPECT_FALSE(crosses_all_over(attempt));
