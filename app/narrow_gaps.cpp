@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <string_view>
 #include <utility>
 
 #include "geom/opposite.h"
@@ -50,7 +49,7 @@ std::vector<Mesh::Index> vertices_at_gaps(const Mesh& mesh, const Model& model,
   };
   std::vector<std::pair<Mesh::Index, std::int32_t>> asked;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const bool planar = std::string_view(model.surface(mesh.triangle_on[i]).kind()) == "plane";
+    const bool planar = model.is_plane(mesh.triangle_on[i]);
     for (const Mesh::Index v : mesh.triangles[i])
       if (!planar || mesh.point_on[v].dim < 2) asked.emplace_back(v, mesh.triangle_on[i]);
   }

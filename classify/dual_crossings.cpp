@@ -6,7 +6,6 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <string_view>
 
 #include "geom/facet_bvh.h"
 #include "mesh/circumcentre.h"
@@ -44,7 +43,7 @@ bool share_an_entity(const Model& model, int a, int b) {
 /// the same way: then it crosses the face once at most, for it would have to come back to cross it again.
 bool crosses_once(const Model& model, int face, const Vec3& p, const Vec3& q) {
   constexpr double kThrough = 0.5;  // cosine; facets are trusted to 30 degrees
-  const bool is_plane = std::string_view(model.surface(face).kind()) == "plane";
+  const bool is_plane = model.is_plane(face);
   const Facets& facets = model.facets();
   const Vec3 way = q - p;
   const double length = way.norm();

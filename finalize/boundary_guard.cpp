@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <string_view>
 
 #include "base/check.h"
 #include "mesh/quality.h"
@@ -90,7 +89,7 @@ BoundaryGuard::BoundaryGuard(const Model& model, const WorkMesh& mesh, std::span
   at_first_.face.resize(planar_.size());
   for (int face = 1; face <= model.count(2); ++face) {
     const std::size_t i = static_cast<std::size_t>(face);
-    planar_[i] = std::string_view(model.surface(face).kind()) == "plane";
+    planar_[i] = model.is_plane(face);
     if (planar_[i]) plane_normal_[i] = model.face_normal(face, Vec2::Zero());
   }
   measure_volumes(mesh, volume_beyond);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
 
 #include "base/vec.h"
 #include "mesh/quality.h"
@@ -43,8 +42,7 @@ MeasureAccount::MeasureAccount(const Mesh& mesh, const Model& model, std::span<c
 std::vector<double> MeasureAccount::curved_areas(const Measures& measures) const {
   std::vector<double> areas(now_.volume.size(), 0.0);
   for (std::size_t f = 1; f < measures.area.size(); ++f) {
-    if (measures.area[f] == 0.0 || std::string_view(model_.surface(static_cast<int>(f)).kind()) == "plane")
-      continue;
+    if (measures.area[f] == 0.0 || model_.is_plane(static_cast<int>(f))) continue;
     for (const int region : model_.face(static_cast<int>(f)).region)
       if (region > 0) areas[static_cast<std::size_t>(region)] += measures.area[f];
   }

@@ -163,6 +163,7 @@ double Model::tolerance_of(ModelRef entity) const {
 const Facets& Model::facets() const { return data_->parts.facets; }
 const FacetBvh& Model::bvh() const { return data_->bvh; }
 const Surface& Model::surface(int face_tag) const { return *tagged(data_->parts.surfaces, face_tag); }
+bool Model::is_plane(int face_tag) const { return data_->is_plane[static_cast<std::size_t>(face_tag)]; }
 const Curve& Model::curve(int edge_tag) const { return *tagged(data_->parts.curves, edge_tag); }
 
 // A degenerate edge has no curve: it is its vertex at every parameter.
@@ -215,7 +216,7 @@ Vec3 Model::face_normal(int tag, const Vec2& uv) const {
 }
 
 FaceFoot Model::face_project(int tag, const Vec3& p) const {
-  if (data_->is_plane[static_cast<std::size_t>(tag)]) return face_project(tag, p, Vec2(0.0, 0.0));
+  if (is_plane(tag)) return face_project(tag, p, Vec2(0.0, 0.0));
   const auto near = data_->bvh.nearest(p, kInfinity, tag);
   return face_project(tag, p, near ? data_->seed(near->triangle, near->weights) : Vec2(0.0, 0.0));
 }

@@ -202,6 +202,7 @@ class Model {
   [[nodiscard]] const Facets& facets() const;
   [[nodiscard]] const FacetBvh& bvh() const;
   [[nodiscard]] const Surface& surface(int face_tag) const;
+  [[nodiscard]] bool is_plane(int face_tag) const;
   [[nodiscard]] const Curve& curve(int edge_tag) const;
 
   // --- itself ---------------------------------------------------------------------------------------------

@@ -18,7 +18,7 @@ namespace octet {
 
 struct Model::Data {
   ModelParts parts;
-  std::vector<bool> is_plane;         ///< per face: its feet need no start
+  std::vector<bool> is_plane;         ///< per face
   std::vector<ArcLength> arcs;        ///< per edge; empty for degenerate edges
   std::vector<CurveSamples> samples;  ///< per edge
   BorderSides border;

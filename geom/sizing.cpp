@@ -200,7 +200,7 @@ void wish_on_faces(const Model& model, const SizingOptions& options, Wishes& wis
   NodeCurvatures curvatures(model);
   for (std::size_t i = 0; i < facets.triangles.size(); ++i) {
     const int face = facets.face[i];
-    if (std::string_view(model.surface(face).kind()) == "plane") continue;
+    if (model.is_plane(face)) continue;
     const double curvature = facet_curvature(model, i, least, curvatures);
     if (curvature > 0.0)
       wish_on_triangle(facet_corners(facets, i),

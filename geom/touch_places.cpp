@@ -7,7 +7,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <string_view>
 #include <utility>
 
 #include "base/golden_section.h"
@@ -112,7 +111,7 @@ class FacetSides {
     for (std::size_t i = 0, end = 0; i < all.size(); i = end) {
       for (end = i; end < all.size() && all[end].a == all[i].a && all[end].b == all[i].b;) ++end;
       const bool inside = end == i + 2 && all[i].face == all[i + 1].face;
-      if (inside && std::string_view(model.surface(all[i].face).kind()) == "plane") continue;
+      if (inside && model.is_plane(all[i].face)) continue;
       sides_.insert(sides_.end(), all.begin() + static_cast<std::ptrdiff_t>(i),
                     all.begin() + static_cast<std::ptrdiff_t>(inside ? i + 1 : end));
     }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Points on model faces: the exact cuts of octant edges, thinned by spacing, in matched pairs.
 #include <optional>
-#include <string_view>
-#include <vector>
 
 #include "base/error.h"
 #include "geom/face_match.h"
@@ -20,12 +18,7 @@ struct FacePoint {
 
 class FaceSeeder {
  public:
-  explicit FaceSeeder(SeedState& state)
-      : state_(state), model_(state.model), spacing_(static_cast<std::size_t>(model_.count(2)) + 1) {
-    for (int f = 1; f <= model_.count(2); ++f)
-      spacing_[static_cast<std::size_t>(f)] =
-          std::string_view(model_.surface(f).kind()) == "plane" ? kPlaneSpacing : kFaceSpacing;
-  }
+  explicit FaceSeeder(SeedState& state) : state_(state), model_(state.model) {}
 
   /// A vertex or edge that comes close to a face it does not bound gets a partner on that face.
   void match_vertices_and_edges() {
@@ -81,10 +74,10 @@ class FaceSeeder {
   /// piece.
   [[nodiscard]] bool is_free(const FacePoint& a) const {
     const ModelRef face = model_face(a.face);
+    const double spacing = (model_.is_plane(a.face) ? kPlaneSpacing : kFaceSpacing) * a.size;
     const SeedPoints& points = state_.seeds.points;
     if (state_.points_grid.any_within(
-            a.p, spacing_[static_cast<std::size_t>(a.face)] * a.size,
-            [&](std::uint32_t n, double) { return model_.in_closure(points.on[n], face); }))
+            a.p, spacing, [&](std::uint32_t n, double) { return model_.in_closure(points.on[n], face); }))
       return false;
     return !state_.piece_grid.any_within(a.p, a.size, [&](std::uint32_t n, double) {
       const EdgePiece& piece = state_.seeds.pieces[n];
@@ -101,7 +94,6 @@ class FaceSeeder {
 
   SeedState& state_;
   const Model& model_;
-  std::vector<double> spacing_;  ///< per face
 };
 
 }  // namespace
