@@ -75,11 +75,24 @@ bool swap_some_face(Workshop& shop, TetId t) {
   return false;
 }
 
+/// Smooths the vertex unless that was tried in vain and nothing has changed at it since: where elements cannot
+/// get good, each vertex is a corner of several that are tried.
+bool smooth_unless_vain(Workshop& shop, VertexId v, double goal) {
+  shop.still.resize(shop.mesh.points.size(), 0);
+  std::uint32_t& when = shop.still[v.index()];
+  if (when > 0 && shop.unchanged_since(when, v)) return false;
+  if (smooth_vertex(shop, v, goal)) return true;
+  when = ++shop.serial;
+  return false;
+}
+
 bool smooth_corners(Workshop& shop, TetId t, double goal) {
   bool any = false;
   std::vector<TetId> changed;
   for (const VertexId v : std::array(shop.mesh.tets[t])) {
-    if (!smooth_vertex(shop, v, goal)) continue;
+    // Within a trial, and once a corner has moved, what has changed is not marked yet.
+    const bool unmarked = any || shop.mesh.journal.open;
+    if (unmarked ? !smooth_vertex(shop, v, goal) : !smooth_unless_vain(shop, v, goal)) continue;
     any = true;
     changed.insert(changed.end(), shop.made.begin(), shop.made.end());
     if (shop.mesh.quality[t] >= goal) break;
@@ -270,11 +283,14 @@ void relax_around(Workshop& shop, double goal, double wish) {
   for (std::size_t i = 0; i < role.size(); ++i) {
     if (role[i] == kFar) continue;
     if (budget_spent(shop)) return;
-    if (smooth_vertex(shop, VertexId(i), wish)) shop.note_change();
+    if (smooth_unless_vain(shop, VertexId(i), wish)) shop.note_change();
   }
 }
 
-void forget_failures(Workshop& shop) { shop.tried.clear(); }
+void forget_failures(Workshop& shop) {
+  shop.tried.clear();
+  shop.still.clear();
+}
 
 std::size_t improve_worst_first(Workshop& shop, double goal, Observer& observer) {
   return improve_in_order(shop, goal, observer, [&](TetId t) {

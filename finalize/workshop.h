@@ -39,9 +39,9 @@ struct Workshop {
   LocalStar star;                   ///< scratch
   std::vector<TetId> tets;          ///< scratch: most stars that are walked end at their first tetrahedra
 
-  /// Serial numbers of operations: when tetrahedra at the vertex last changed, and when the tetrahedron was
-  /// last tried in vain. What has not changed since is not tried again.
-  std::vector<std::uint32_t> touched, tried;
+  /// Serial numbers of operations: when tetrahedra at the vertex last changed, when the tetrahedron was last
+  /// tried in vain, and the smoothing of the vertex. What has not changed since is not tried again.
+  std::vector<std::uint32_t> touched, tried, still;
   std::uint32_t serial = 0;
   std::vector<std::uint8_t> in_vain;  ///< compound moves tried in vain at tetrahedra of the vertex
 

@@ -40,5 +40,35 @@ TEST(Improve, ObtuseAnglesAreOpened) {
   EXPECT_EQ(improve_obtuse(shop, std::numbers::pi, observer), 0u) << "none is beyond";
 }
 
+TEST(Improve, SmoothingInVainIsTriedAgainWhereSomethingHasChanged) {
+  Part part = testing::cylinder_part(6);
+  testing::Dice dice(5);
+  testing::jitter(part.mesh, part.model, 0.05, dice);
+  const FinalizeOptions options = testing::options_of_size(0.3);
+  Workshop shop(to_work_mesh(part.mesh), part.model, options);
+  const double goal = shape_of_angle(0.6);
+  const auto work_of_a_sweep = [&] {
+    const std::uint64_t before = shop.work;
+    relax_around(shop, goal, goal);
+    return shop.work - before;
+  };
+  const std::uint64_t first = work_of_a_sweep();
+  int sweeps = 1;
+  while (work_of_a_sweep() > 0 && sweeps < 200) ++sweeps;
+  ASSERT_LT(sweeps, 200) << "each vertex comes to rest, and costs nothing from then on";
+  const auto falls_short = [&](TetId t) { return shop.mesh.alive(t) && shop.mesh.quality[t] < goal; };
+  TetId bad(0);
+  while (bad.index() < shop.mesh.tets.size() && !falls_short(bad)) bad = TetId(bad.index() + 1);
+  ASSERT_LT(bad.index(), shop.mesh.tets.size()) << "none is left to be smoothed in vain";
+  shop.made = {bad};
+  shop.note_change();
+  const std::uint64_t around_a_change = work_of_a_sweep();
+  EXPECT_GT(around_a_change, 0u);
+  EXPECT_LT(around_a_change, first);
+  EXPECT_EQ(work_of_a_sweep(), 0u);
+  forget_failures(shop);
+  EXPECT_GT(work_of_a_sweep(), around_a_change);
+}
+
 }  // namespace
 }  // namespace octet
