@@ -94,7 +94,9 @@ MeshResult mesh_by_default(const Model& model, const MeshOptions& options, const
   } catch (const TooManyTets& many) {
     count = many.count;
   }
-  if (result && (!has_free_sizes(options) || count <= kMostByDefault)) return *std::move(result);
+  // What was made is not made again for being a little larger: that would take all the time once more.
+  const bool complete = result && result->report.status == MeshStatus::kComplete;
+  if (result && (complete || !has_free_sizes(options) || count <= kMostByDefault)) return *std::move(result);
   // Counts go with the size to the power -2 at the boundary, of which such parts have much.
   const double scale = std::sqrt(count / (kSafeShare * kMostByDefault));
   MeshResult coarser = mesh(scaled_sizes(model, chosen, scale), kUnbounded);

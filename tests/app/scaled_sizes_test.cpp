@@ -158,8 +158,11 @@ TEST(ScaledSizes, AMeshThatIsLargerThanPromisedIsMadeAgain) {
   EXPECT_GT(large.sizes[1], large.sizes[0]);
   EXPECT_EQ(large.finished, 1) << "far too many are seen before the work is done";
   Pretender somewhat_large(560'000.0 * size * size, 0.0, 0.0);
-  EXPECT_NEAR(static_cast<double>(by_default(somewhat_large, {}).tets), 400'000.0, 1.0);
-  EXPECT_EQ(somewhat_large.finished, 2);
+  EXPECT_NEAR(static_cast<double>(by_default(somewhat_large, {}).tets), 560'000.0, 1.0);
+  EXPECT_EQ(somewhat_large.sizes.size(), 1u) << "a mesh that is there already costs no second one";
+  Pretender somewhat_large_and_open(560'000.0 * size * size, 0.0, 1.01 * size);
+  EXPECT_EQ(by_default(somewhat_large_and_open, {}).status, MeshStatus::kComplete);
+  EXPECT_EQ(somewhat_large_and_open.sizes.size(), 2u);
   Pretender open_at_both(many, 0.0, 10.0);
   EXPECT_LT(by_default(open_at_both, {}).tets, 500'000u);
   Pretender open_when_coarse(many, 1.01 * size, 10.0);
