@@ -15,8 +15,8 @@ namespace octet {
 [[nodiscard]] MeshResult mesh_to_target(const Model& model, const MeshOptions& options,
                                         const std::function<MeshResult(const MeshOptions&)>& mesh);
 
-/// What a mesh without any size asked for may have, a fifth more before finalization, where that does not cost
-/// its being complete.
+/// What a mesh without any size asked for may have, a fifth more before finalization, where that does not
+/// cost its being complete.
 inline constexpr double kMostByDefault = 500'000.0;
 
 /// Thrown before finalization, which is most of the work, by a mesh that will have far more tetrahedra than
@@ -29,9 +29,9 @@ struct TooManyTets {
 using BoundedMesher = std::function<MeshResult(const MeshOptions&, double most)>;
 
 /// Meshes with the default size (with_default_size()), and, where nothing was asked for, with larger ones
-/// instead of a mesh of far more than kMostByDefault tetrahedra, or of one of more that is not complete: octrees
-/// promise too little where a part has many features far below the size. The larger mesh is returned only
-/// where it alone is complete.
+/// instead of a mesh of far more than kMostByDefault tetrahedra, or of one of more that is not complete:
+/// octrees promise too little where a part has many features far below the size. The larger mesh is returned
+/// only where it alone is complete.
 [[nodiscard]] MeshResult mesh_by_default(const Model& model, const MeshOptions& options,
                                          const BoundedMesher& mesh);
 

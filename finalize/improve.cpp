@@ -75,8 +75,8 @@ bool swap_some_face(Workshop& shop, TetId t) {
   return false;
 }
 
-/// Smooths the vertex unless that was tried in vain and nothing has changed at it since: where elements cannot
-/// get good, each vertex is a corner of several that are tried.
+/// Smooths the vertex unless that was tried in vain and nothing has changed at it since: where elements
+/// cannot get good, each vertex is a corner of several that are tried.
 bool smooth_unless_vain(Workshop& shop, VertexId v, double goal) {
   shop.still.resize(shop.mesh.points.size(), 0);
   std::uint32_t& when = shop.still[v.index()];

@@ -195,6 +195,42 @@ TEST(Split, MakesNoNicks) {
   EXPECT_FALSE(split_edge(bench.shop, TetId(0), v[0], v[1], -1.0, 0.0));
 }
 
+TEST(Split, MakesNoMoreFlatElementsWhereTheyAreMany) {
+  const auto splits = [](double thickness) {
+    int done = 0;
+    const std::size_t tets = Bench(testing::box_part({1, 1, thickness}, 2, 2, 1), 0.3).shop.mesh.tets.size();
+    for (std::size_t i = 0; i < tets; ++i) {
+      for (const auto& e : kTetEdge) {
+        Bench bench(testing::box_part({1, 1, thickness}, 2, 2, 1), 0.3);
+        const auto v = bench.shop.mesh.tets[TetId(i)];
+        if (!split_edge(bench.shop, TetId(i), v[e[0]], v[e[1]], 1e-9, 1e-8)) continue;
+        ++done;
+        EXPECT_EQ(bench.faults(), "");
+      }
+    }
+    return done;
+  };
+  EXPECT_EQ(splits(0.01), 0) << "each tetrahedron is flat, and would be two that are";
+  EXPECT_GT(splits(0.3), 20);
+}
+
+TEST(Split, MayMakeAThousandthOfAllFlat) {
+  Bench bench(testing::box_part({1, 1, 0.0005}, 40, 40, 1), 0.015);
+  WorkMesh& mesh = bench.shop.mesh;
+  const std::size_t tets = mesh.tets.size();
+  for (std::size_t i = 0; i < tets; ++i) {
+    const TetId t(i);
+    for (const auto& e : kTetEdge) {
+      if (!mesh.alive(t)) break;
+      const auto v = mesh.tets[t];
+      split_edge(bench.shop, t, v[e[0]], v[e[1]], 1e-9, 1e-8);
+    }
+  }
+  EXPECT_GT(bench.shop.report.flat_made, 0u);
+  EXPECT_LE(static_cast<double>(bench.shop.report.flat_made), 0.001 * static_cast<double>(mesh.tets.size()));
+  EXPECT_EQ(bench.tets(), tets + bench.shop.report.flat_made) << "all are flat here";
+}
+
 TEST(Split, LeavesAnEdgeThatTheSolidTouchesItselfAlong) {
   using testing::Cells;
   for (const Cells& without : {Cells{}, Cells{{1, 1}}, Cells{{1, 1}, {-1, -1}}}) {
