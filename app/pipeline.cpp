@@ -339,7 +339,7 @@ class Run {
     dump("classified");
   }
 
-  /// Finalization changes the number by less than what is allowed for.
+  /// A little more than asked for is kept.
   void refuse_too_many() const {
     constexpr double kFarMore = 1.2;
     auto count = static_cast<double>(result_.mesh.tets.size());

@@ -247,6 +247,7 @@ void collapse_short_edges(Workshop& shop) {
       continue;
     if (mesh.on[b].dim >= mesh.on[a].dim) collapse_edge(shop, b, a, collapse_floor(shop, b, tets));
   }
+  shop.forget_failures();
 }
 
 void split_long_edges(Workshop& shop, double goal) {
@@ -262,6 +263,7 @@ void split_long_edges(Workshop& shop, double goal) {
     edge_ring(mesh, t, a, b, ring);
     split_edge(shop, t, a, b, std::min(0.999 * worst_quality(mesh, ring.tets), goal), goal);
   }
+  shop.forget_failures();
 }
 
 void relax_around(Workshop& shop, double goal, double wish) {
@@ -285,11 +287,6 @@ void relax_around(Workshop& shop, double goal, double wish) {
     if (budget_spent(shop)) return;
     if (smooth_unless_vain(shop, VertexId(i), wish)) shop.note_change();
   }
-}
-
-void forget_failures(Workshop& shop) {
-  shop.tried.clear();
-  shop.still.clear();
 }
 
 std::size_t improve_worst_first(Workshop& shop, double goal, Observer& observer) {

@@ -36,7 +36,4 @@ std::size_t improve_obtuse(Workshop& shop, double limit, Observer& observer);
 /// may have room then.
 void relax_around(Workshop& shop, double goal, double wish);
 
-/// Lets improve_worst_first try everything again.
-void forget_failures(Workshop& shop);
-
 }  // namespace octet

@@ -204,6 +204,7 @@ void relax_for_mean(Workshop& shop, double floor, int sweeps) {
     }
     active.swap(disturbed);
   }
+  shop.forget_failures();
 }
 
 void collapse_for_mean(Workshop& shop, double floor) {
@@ -254,6 +255,7 @@ void swap_for_mean(Workshop& shop, double floor) {
       if (mesh.quality[made] < kSwapBelow) queue.push_back(made);
     }
   }
+  shop.forget_failures();
 }
 
 }  // namespace octet

@@ -24,7 +24,7 @@ constexpr double kPolishAngle = 0.611;
 class Chase {
  public:
   explicit Chase(Workshop& shop) : shop_(shop) {
-    forget_failures(shop_);
+    shop_.forget_failures();
     set(true);
   }
   Chase(const Chase&) = delete;
@@ -62,7 +62,6 @@ void raise_mean(Workshop& shop, double floor, int sweeps, Observer& observer) {
   if (observer.cancelled()) throw Cancelled();
   swap_for_mean(shop, floor);
   relax_for_mean(shop, floor, sweeps);
-  forget_failures(shop);
 }
 
 /// Where shapes are known, most tetrahedra need no look at their angles.

@@ -14,9 +14,9 @@
 namespace octet {
 namespace {
 
-/// Below this (radians, 5 degrees) an element is flat.
+/// An element whose shape is below that of this angle (radians, 5 degrees) is flat.
 constexpr double kFlatAngle = 0.0873;
-/// So many more flat elements may splits leave, as a share of all elements.
+/// So many more flat elements may splits leave, as a share of the elements of the mesh, or of the block.
 constexpr double kMostFlatMade = 0.001;
 
 /// The entity that the edge of the ring lies on; not valid where that cannot be told.

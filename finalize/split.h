@@ -8,7 +8,8 @@ namespace octet {
 
 /// Splits edge ab of tetrahedron t if the worst shape around it gets better than `floor`. The new vertex lies
 /// on the model entity that the edge lies on, and is moved until that shape is `goal`, or the best. Splits
-/// that leave more tetrahedra with angles below 5 degrees than there were may make a thousandth of all such.
+/// that leave more flat tetrahedra than there were (shapes below that of 5 degrees) may make a thousandth of
+/// all flat.
 bool split_edge(Workshop& shop, TetId t, VertexId a, VertexId b, double floor, double goal);
 
 }  // namespace octet

@@ -56,6 +56,11 @@ struct Workshop {
       for (const VertexId v : mesh.tets[t]) touched[v.index()] = serial;
     }
   }
+  /// Lets everything be tried again: what changes without marks must call it.
+  void forget_failures() {
+    tried.clear();
+    still.clear();
+  }
   [[nodiscard]] bool unchanged_since(std::uint32_t when, VertexId v) const {
     return v.index() >= touched.size() || touched[v.index()] < when;
   }

@@ -29,7 +29,7 @@ TEST(Improve, ObtuseAnglesAreOpened) {
   const QualitySummary before = quality_summary(to_mesh(shop.mesh));
   const double limit = before.max_dihedral - 0.1;
   ASSERT_GT(limit, std::numbers::pi / 2) << "none is obtuse";
-  forget_failures(shop);
+  shop.forget_failures();
   EXPECT_GT(improve_obtuse(shop, limit, observer), 0u);
   EXPECT_EQ(check_work_mesh(shop.mesh), "");
   const Mesh mesh = to_mesh(shop.mesh);
@@ -66,8 +66,11 @@ TEST(Improve, SmoothingInVainIsTriedAgainWhereSomethingHasChanged) {
   EXPECT_GT(around_a_change, 0u);
   EXPECT_LT(around_a_change, first);
   EXPECT_EQ(work_of_a_sweep(), 0u);
-  forget_failures(shop);
+  shop.forget_failures();
   EXPECT_GT(work_of_a_sweep(), around_a_change);
+  EXPECT_EQ(work_of_a_sweep(), 0u);
+  relax_for_mean(shop, shape_of_angle(0.1), 1);
+  EXPECT_GT(work_of_a_sweep(), around_a_change) << "sweeps for the mean do not mark what they move";
 }
 
 }  // namespace
