@@ -41,26 +41,37 @@ EdgeWalk walk_edge(const Model& model, int tag, double step) {
   return walk;
 }
 
+/// A curve's distance from its chord, as a multiple of that in its middle.
+constexpr double kSagitta = 1.5;
+
 double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
-/// All walks as a hierarchy of chords, to find the nearest edge that is no neighbour.
+/// All walks as a hierarchy of chords, to find the nearest edge that is no neighbour: one that shares a
+/// vertex, or comes nearer than `touching` somewhere.
 class ChordIndex {
  public:
-  ChordIndex(const Model& model, const std::vector<EdgeWalk>& walks) : model_(model) {
+  ChordIndex(const Model& model, const std::vector<EdgeWalk>& walks, double touching)
+      : model_(model), touched_(static_cast<std::size_t>(model.count(1)) + 1) {
     Facets chords;
+    std::vector<double> sagittas;
     for (const EdgeWalk& walk : walks)
       for (std::size_t i = 0; i + 1 < walk.point.size(); ++i) {
         const auto n = static_cast<std::uint32_t>(chords.nodes.size());
-        chords.nodes.push_back(walk.point[i]);
-        chords.nodes.push_back(walk.point[i + 1]);
+        const Vec3 &from = walk.point[i], &to = walk.point[i + 1];
+        const double middle = 0.5 * (walk.t[i] + walk.t[i + 1]);
+        chords.nodes.push_back(from);
+        chords.nodes.push_back(to);
         chords.triangles.push_back({n, n + 1, n + 1});
         chords.face.push_back(1);
-        chord_.push_back({walk.edge, 0.5 * (walk.t[i] + walk.t[i + 1])});
+        chord_.push_back({walk.edge, middle});
+        sagittas.push_back(kSagitta * (model.edge_point(walk.edge, middle) - 0.5 * (from + to)).norm());
       }
-    bvh_ = FacetBvh(chords, std::vector<double>(chords.triangles.size(), 0.0), 1);
+    bvh_ = FacetBvh(chords, sagittas, 1);
+    for (const EdgeWalk& walk : walks)
+      for (const Vec3& p : walk.point) find_touched(walk.edge, p, touching);
   }
 
-  /// Distance from p to the nearest edge that shares no vertex with `edge`, infinite beyond `limit`.
+  /// Distance from p to the nearest edge that is no neighbour of `edge`, infinite beyond `limit`.
   [[nodiscard]] double gap(int edge, const Vec3& p, double limit) const {
     const auto stranger = [&](std::uint32_t c) { return !neighbours(edge, chord_[c].edge); };
     const auto near = bvh_.nearest_if(p, limit, 0, stranger);
@@ -79,12 +90,33 @@ class ChordIndex {
     for (const int v : model_.edge(a).vertex)
       for (const int w : model_.edge(b).vertex)
         if (v == w) return true;
-    return false;
+    const std::vector<int>& touched = touched_[static_cast<std::size_t>(a)];
+    return std::binary_search(touched.begin(), touched.end(), b);
   }
+  void find_touched(int edge, const Vec3& p, double touching) {
+    bvh_.visit_within(p, touching, 0, [&](const FacetFoot& foot) {
+      const Chord& chord = chord_[foot.triangle];
+      if (neighbours(edge, chord.edge)) return;
+      if (model_.edge_project(chord.edge, p, chord.t).distance >= touching) return;
+      add_touched(edge, chord.edge);
+      add_touched(chord.edge, edge);
+    });
+  }
+  void add_touched(int edge, int other) {
+    std::vector<int>& touched = touched_[static_cast<std::size_t>(edge)];
+    touched.insert(std::lower_bound(touched.begin(), touched.end(), other), other);
+  }
+
   const Model& model_;
   FacetBvh bvh_;
   std::vector<Chord> chord_;
+  std::vector<std::vector<int>> touched_;  ///< per edge: those that come near and share no vertex, ascending
 };
+
+/// Edges nearer than this share of the smallest size touch, and shorter ones are no edges worth a size: what
+/// stands on a step so narrow is flat at any size above the smallest, and there is the more of it the finer
+/// the octants are.
+constexpr double kUnresolved = 1.0 / 32.0;
 
 /// Turning per length between the steps gives the curvature without second derivatives, kinks included.
 double turning_size(const EdgeWalk& walk, std::size_t step, double angle) {
@@ -107,7 +139,8 @@ struct StepWish {
 void wish_along(const Model& model, const EdgeWalk& walk, const ChordIndex& index,
                 const SizingOptions& options, Wishes& wishes) {
   const ModelEdge& edge = model.edge(walk.edge);
-  const bool has_length = edge.vertex[0] != edge.vertex[1] && options.edge_share > 0.0;
+  const bool has_length = edge.vertex[0] != edge.vertex[1] && options.edge_share > 0.0 &&
+                          edge.length >= kUnresolved * options.min_size;
   const auto gap_at = [&](std::size_t i) {
     if (!(options.edge_gap_elements > 0.0)) return std::numeric_limits<double>::infinity();
     const double limit = options.size * options.edge_gap_elements;
@@ -220,7 +253,7 @@ std::vector<SizeSample> feature_sizes(const Model& model, const SizingOptions& o
   std::vector<EdgeWalk> walks;
   for (int e = 1; e <= model.count(1); ++e)
     if (model.edge(e).use == EdgeUse::kReal) walks.push_back(walk_edge(model, e, 0.5 * options.size));
-  const ChordIndex index(model, walks);
+  const ChordIndex index(model, walks, kUnresolved * options.min_size);
   for (const EdgeWalk& walk : walks) wish_along(model, walk, index, options, wishes);
   if (options.curvature_angle > 0.0) wish_on_faces(model, options, wishes);
   return wishes.take();

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
+#include <vector>
 
 #include "geom/size_wishes.h"
 #include "tests/geom/sample_models.h"
@@ -94,6 +96,25 @@ TEST(Sizing, CloseEdgesAskForTheirGap) {
       return (s.place - Vec3(x, 0, 0)).norm() <= s.size;
     });
     EXPECT_TRUE(covered) << x;
+  }
+}
+
+TEST(Sizing, AStepThatNoSizeResolvesAsksForNothing) {
+  SizingOptions o = options(10.0);
+  o.min_size = 1.0;
+  o.curvature_angle = 0.0;
+  // Circles that run a step apart are nearer to each other than to their chords.
+  const std::vector<std::function<Model(double)>> parts{
+      [](double height) { return analytic_box(Vec3(30, 30, height)); },
+      [](double height) { return analytic_cylinder(15.0, height); }};
+  for (const auto& of_height : parts) {
+    const auto samples = feature_sizes(of_height(1.1 * o.min_size / 32), o);
+    ASSERT_FALSE(samples.empty());
+    EXPECT_EQ(smallest(samples), o.min_size);
+    EXPECT_TRUE(feature_sizes(of_height(0.9 * o.min_size / 32), o).empty());
+    SizingOptions finer = o;
+    finer.min_size = 1e-3;
+    EXPECT_LT(smallest(feature_sizes(of_height(0.9 * o.min_size / 32), finer)), 0.03);
   }
 }
 
