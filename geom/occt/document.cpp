@@ -10,7 +10,9 @@
 #include <IGESControl_Controller.hxx>
 #include <IGESData_IGESModel.hxx>
 #include <Interface_Static.hxx>
+#include <NCollection_DataMap.hxx>
 #include <STEPCAFControl_Controller.hxx>
+#include <STEPCAFControl_ExternFile.hxx>
 #include <STEPCAFControl_Reader.hxx>
 #include <Standard_Failure.hxx>
 #include <StepRepr_HArray1OfRepresentationItem.hxx>
@@ -91,6 +93,28 @@ int drop_unknown_items(const Handle(Interface_InterfaceModel) & model) {
   return dropped;
 }
 
+/// InputError where parts are in files that were not found beside this one, or could not be read. Files
+/// without a suffix of STEP are drawings and texts about the parts.
+void require_external_files(const STEPCAFControl_Reader& reader, const std::filesystem::path& path) {
+  constexpr std::size_t kNamed = 5;
+  std::vector<std::string> missing;
+  using Files = NCollection_DataMap<TCollection_AsciiString, Handle(STEPCAFControl_ExternFile)>;
+  for (Files::Iterator it(reader.ExternFiles()); it.More(); it.Next()) {
+    const std::filesystem::path name = it.Key().ToCString();
+    const std::string suffix = lower(name.extension().string());
+    const bool is_step = suffix == ".stp" || suffix == ".step" || suffix == ".p21";
+    const bool is_read = it.Value()->GetLoadStatus() == IFSelect_RetDone && it.Value()->GetTransferStatus();
+    if (is_step && !is_read) missing.push_back(quoted(name));
+  }
+  if (missing.empty()) return;
+  std::sort(missing.begin(), missing.end());
+  const std::size_t count = missing.size();
+  missing.resize(std::min(count, kNamed));
+  throw InputError(fmt::format(
+      "STEP file {} has parts in other files, {} of which were not found beside it or cannot be read: {}{}",
+      quoted(path), count, fmt::join(missing, ", "), count > kNamed ? ", ..." : ""));
+}
+
 CadDocument read_step(const std::filesystem::path& path) {
   require_step_end(path);
   STEPCAFControl_Controller::Init();
@@ -102,7 +126,8 @@ CadDocument read_step(const std::filesystem::path& path) {
   reader.SetLayerMode(true);
   reader.SetMatMode(true);
   reader.SetPropsMode(false);
-  if (reader.ReadFile(path.string().c_str()) != IFSelect_RetDone)
+  // Files that it refers to are looked for beside it, which OCCT does right for an absolute path alone.
+  if (reader.ReadFile(std::filesystem::absolute(path).string().c_str()) != IFSelect_RetDone)
     throw InputError("STEP file " + quoted(path) + " cannot be parsed: it is damaged or truncated");
   CadDocument result;
   if (const int dropped = drop_unknown_items(reader.Reader().WS()->Model()); dropped > 0)
@@ -115,6 +140,7 @@ CadDocument read_step(const std::filesystem::path& path) {
   if (!lengths.IsEmpty()) result.unit = lower(lengths.First().ToCString());
   ScopedDocument document;
   if (reader.Transfer(document.get())) collect_labels(document.get(), result);
+  require_external_files(reader, path);
   return result;
 }
 

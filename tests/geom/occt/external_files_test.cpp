@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Assemblies whose parts are in files of their own.
+#include <gtest/gtest.h>
+
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <STEPCAFControl_Writer.hxx>
+#include <TDataStd_Name.hxx>
+#include <TDocStd_Document.hxx>
+#include <XCAFApp_Application.hxx>
+#include <XCAFDoc_DocumentTool.hxx>
+#include <XCAFDoc_ShapeTool.hxx>
+#include <filesystem>
+#include <gp_Trsf.hxx>
+#include <stdexcept>
+#include <string>
+
+#include "base/error.h"
+#include "geom/occt/read_part.h"
+
+namespace octet::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A directory with an assembly of two boxes, 1 x 1 x 1 and 2 x 2 x 2, in a file each. It goes when the test
+/// ends.
+class SplitAssembly {
+ public:
+  SplitAssembly() : directory_(fs::path(::testing::TempDir()) / ("octet_external_files_" + test_name())) {
+    fs::create_directories(directory_);
+    Handle(TDocStd_Document) document;
+    XCAFApp_Application::GetApplication()->NewDocument("BinXCAF", document);
+    const Handle(XCAFDoc_ShapeTool) shapes = XCAFDoc_DocumentTool::ShapeTool(document->Main());
+    const TDF_Label top = shapes->NewShape();
+    TDataStd_Name::Set(top, "pair");
+    for (const int side : {1, 2}) {
+      const TDF_Label part = shapes->AddShape(BRepPrimAPI_MakeBox(side, side, side).Shape(), false);
+      TDataStd_Name::Set(part, side == 1 ? "small" : "large");
+      gp_Trsf beside;
+      beside.SetTranslation(gp_Vec(5.0 * side, 0.0, 0.0));
+      shapes->AddComponent(top, part, TopLoc_Location(beside));
+    }
+    shapes->UpdateAssemblies();
+    STEPCAFControl_Writer writer;
+    if (!writer.Transfer(document, STEPControl_AsIs, "part_") ||
+        writer.Write(main().c_str()) != IFSelect_RetDone)
+      throw std::runtime_error("cannot write the assembly");
+    XCAFApp_Application::GetApplication()->Close(document);
+  }
+  ~SplitAssembly() { fs::remove_all(directory_); }
+  SplitAssembly(const SplitAssembly&) = delete;
+  SplitAssembly& operator=(const SplitAssembly&) = delete;
+
+  [[nodiscard]] fs::path main() const { return directory_ / "pair.step"; }
+  [[nodiscard]] fs::path part(const std::string& name) const {
+    return directory_ / ("part_" + name + ".stp");
+  }
+
+ private:
+  static std::string test_name() { return ::testing::UnitTest::GetInstance()->current_test_info()->name(); }
+  fs::path directory_;
+};
+
+TEST(ExternalFiles, AreReadFromTheDirectoryOfTheAssembly) {
+  const SplitAssembly assembly;
+  ASSERT_TRUE(fs::exists(assembly.part("small")) && fs::exists(assembly.part("large")));
+  for (const fs::path& path : {assembly.main(), fs::relative(assembly.main())}) {
+    const Model model = read_part(path);
+    ASSERT_EQ(model.count(3), 2) << path;
+    EXPECT_NEAR(model.region(1).volume + model.region(2).volume, 9.0, 1e-9);
+    EXPECT_NEAR(model.box().hi.x(), 12.0, 1e-6);
+  }
+}
+
+TEST(ExternalFiles, AMissingOneIsNamedAndTheRestAreNotTakenForTheWhole) {
+  const SplitAssembly assembly;
+  fs::remove(assembly.part("small"));
+  try {
+    (void)read_part(assembly.main());
+    FAIL() << "read without its small part";
+  } catch (const InputError& error) {
+    const std::string what = error.what();
+    EXPECT_NE(what.find("'part_small.stp'"), std::string::npos) << what;
+    EXPECT_EQ(what.find("part_large"), std::string::npos) << what;
+  }
+}
+
+}  // namespace
+}  // namespace octet::test
