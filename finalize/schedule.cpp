@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <vector>
 
 #include "base/error.h"
 #include "finalize/improve.h"
@@ -107,6 +108,7 @@ void improve_all(Workshop& shop, double target, double polish, double chased, Ob
       raise_mean(shop, polish, kSweeps, observer);
       collapse_for_mean(shop, polish);
       raise_mean(shop, polish, kSweeps, observer);
+      chased = chase_goal(shop.mesh, target, chased);
       chase(shop, chased, polish, observer);
       split_long_edges(shop, chased);
       if (shop.options.coarse_size_at) {
@@ -123,6 +125,23 @@ void improve_all(Workshop& shop, double target, double polish, double chased, Ob
 }
 
 }  // namespace
+
+double chase_goal(const WorkMesh& mesh, double least, double goal) {
+  constexpr std::size_t kFew = 3000;  // which takes no time
+  std::vector<double> below;
+  std::size_t alive = 0;
+  for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
+    const TetId t(i);
+    if (!mesh.alive(t)) continue;
+    ++alive;
+    if (mesh.quality[t] < goal) below.push_back(mesh.quality[t]);
+  }
+  const std::size_t chased = std::max(kFew, alive / 10);
+  if (below.size() <= chased) return goal;
+  const auto at = below.begin() + static_cast<std::ptrdiff_t>(chased);
+  std::nth_element(below.begin(), at, below.end());
+  return std::max(*at, least);
+}
 
 Scheduled run_schedule(Workshop& shop, Chosen chosen, Observer& observer) {
   const FinalizeOptions& options = shop.options;

@@ -3,6 +3,7 @@
 #include "finalize/split.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <limits>
 
@@ -156,6 +157,20 @@ bool commit_split(Workshop& shop, const EdgeRing& ring, const LocalStar& star, c
 
 }  // namespace
 
+double most_of_split(const WorkMesh& mesh, const EdgeRing& ring) {
+  const Vec3 &a = mesh.points[ring.a], &b = mesh.points[ring.b];
+  const std::size_t n = ring.rim.size();
+  double most = 1.0;
+  for (std::size_t i = 0; i < ring.tets.size(); ++i) {
+    const Vec3& c = mesh.points[ring.rim[i]];
+    const Vec3 side = mesh.points[ring.rim[(i + 1) % n]] - c;
+    const Vec3 to_a = side.cross(a - c), to_b = side.cross(b - c);
+    const double lengths = std::sqrt(to_a.squaredNorm() * to_b.squaredNorm());
+    most = std::min(most, 0.5 * (lengths - to_a.dot(to_b)) / lengths);
+  }
+  return most;
+}
+
 bool split_edge(Workshop& shop, TetId t, VertexId a, VertexId b, double floor, double goal) {
   if (shop.mesh.frozen(a) || shop.mesh.frozen(b)) return false;
   const Vec3 middle = 0.5 * (shop.mesh.points[a] + shop.mesh.points[b]);
@@ -168,6 +183,8 @@ bool split_edge(Workshop& shop, TetId t, VertexId a, VertexId b, double floor, d
   const ModelRef on = edge_entity(shop.mesh, ring);
   if (!on.valid() || (on.dim < 3 && (shop.mesh.held(a) || shop.mesh.held(b)))) return false;
   if (on.dim == 1 && !is_whole(shop.mesh, ring)) return false;
+  constexpr double kRounding = 1e-9;
+  if (most_of_split(shop.mesh, ring) + kRounding <= floor) return false;
   LocalStar star = future_star(shop, ring, on);
   const Stand from = seeds_of(shop, ring, star, middle);
   Stand stand;

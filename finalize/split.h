@@ -12,4 +12,9 @@ namespace octet {
 /// all flat.
 bool split_edge(Workshop& shop, TetId t, VertexId a, VertexId b, double floor, double goal);
 
+/// An upper bound of the worst shape that a split of the ring's edge can leave, wherever the new vertex goes:
+/// it parts the dihedral angle of each tetrahedron at the edge that is opposite the one split, and one part
+/// has no more than half of it.
+[[nodiscard]] double most_of_split(const WorkMesh& mesh, const EdgeRing& ring);
+
 }  // namespace octet

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "finalize/relax.h"
+#include "finalize/schedule.h"
 #include "finalize/shape.h"
 #include "mesh/quality.h"
 #include "tests/finalize/parts.h"
@@ -71,6 +72,29 @@ TEST(Improve, SmoothingInVainIsTriedAgainWhereSomethingHasChanged) {
   EXPECT_EQ(work_of_a_sweep(), 0u);
   relax_for_mean(shop, shape_of_angle(0.1), 1);
   EXPECT_GT(work_of_a_sweep(), around_a_change) << "sweeps for the mean do not mark what they move";
+}
+
+TEST(ChaseGoal, IsWhatATenthFallShortOfWhereMostDo) {
+  const auto below = [](const WorkMesh& mesh, double goal) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < mesh.tets.size(); ++i) count += mesh.quality[TetId(i)] < goal ? 1 : 0;
+    return count;
+  };
+  testing::Dice dice(5);
+  const double least = shape_of_angle(0.1), goal = shape_of_angle(0.5);
+  const auto plate = [&](int cells) {
+    Part part = testing::box_part({1, 1, 0.5 / cells}, cells, cells, 1);
+    testing::jitter(part.mesh, part.model, 0.1 / cells, dice);
+    return to_work_mesh(part.mesh);
+  };
+  const WorkMesh many = plate(100), few = plate(20);
+  ASSERT_GT(below(many, goal), many.tets.size() / 2);
+  const double lower = chase_goal(many, least, goal);
+  EXPECT_GT(lower, least);
+  EXPECT_NEAR(static_cast<double>(below(many, lower)), 0.1 * static_cast<double>(many.tets.size()), 2.0);
+  EXPECT_EQ(chase_goal(many, 0.9 * goal, goal), 0.9 * goal);
+  ASSERT_GT(below(few, goal), few.tets.size() / 2);
+  EXPECT_EQ(chase_goal(few, least, goal), goal) << "so few take no time";
 }
 
 }  // namespace

@@ -189,6 +189,36 @@ TEST(Split, PutsTheNewVertexOnTheEntityOfTheEdge) {
   EXPECT_GT(on[2], 0);
 }
 
+TEST(Split, NoPlaceOfTheNewVertexIsBetterThanTheBound) {
+  Bench bench(testing::ball_part(4));
+  testing::Dice dice(7);
+  testing::jitter(bench.part.mesh, bench.part.model, 0.08, dice);
+  const WorkMesh mesh = to_work_mesh(bench.part.mesh);
+  EdgeRing ring;
+  double nearest = 0.0;
+  for (std::size_t i = 0; i < mesh.tets.size(); i += 3) {
+    const auto v = mesh.tets[TetId(i)];
+    for (const auto& e : kTetEdge) {
+      edge_ring(mesh, TetId(i), v[e[0]], v[e[1]], ring);
+      const double bound = most_of_split(mesh, ring);
+      const Vec3 &a = mesh.points[ring.a], &b = mesh.points[ring.b];
+      for (int place = 0; place < 40; ++place) {
+        const double x = dice.roll(), y = dice.roll(), z = dice.roll();
+        const Vec3 off = 0.4 * (Vec3(x, y, z) - Vec3::Constant(0.5));
+        const Vec3 m = 0.5 * (a + b) + (b - a).norm() * off;
+        double worst = 1.0;
+        for (std::size_t k = 0; k < ring.tets.size(); ++k) {
+          const Vec3 &c = mesh.points[ring.rim[k]], &d = mesh.points[ring.rim[(k + 1) % ring.rim.size()]];
+          worst = std::min({worst, shape(m, b, c, d), shape(a, m, c, d)});
+        }
+        ASSERT_LE(worst, bound * (1.0 + 1e-9));
+        nearest = std::max(nearest, worst / bound);
+      }
+    }
+  }
+  EXPECT_GT(nearest, 0.9) << "the bound says nothing";
+}
+
 TEST(Split, MakesNoNicks) {
   Bench bench(testing::cylinder_part(4), 10.0);
   const auto v = bench.shop.mesh.tets[TetId(0)];
