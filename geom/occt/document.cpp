@@ -19,9 +19,12 @@
 #include <StepRepr_Representation.hxx>
 #include <StepRepr_RepresentationItem.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
+#include <TDF_LabelSequence.hxx>
 #include <TDocStd_Document.hxx>
 #include <TopExp_Explorer.hxx>
 #include <XCAFApp_Application.hxx>
+#include <XCAFDoc_DocumentTool.hxx>
+#include <XCAFDoc_ShapeTool.hxx>
 #include <XSControl_WorkSession.hxx>
 #include <algorithm>
 #include <cctype>
@@ -93,9 +96,23 @@ int drop_unknown_items(const Handle(Interface_InterfaceModel) & model) {
   return dropped;
 }
 
+/// Whether a part of the document has no geometry at all.
+bool has_empty_part(const Handle(TDocStd_Document) & document) {
+  const Handle(XCAFDoc_ShapeTool) shapes = XCAFDoc_DocumentTool::ShapeTool(document->Main());
+  TDF_LabelSequence labels;
+  shapes->GetShapes(labels);
+  return std::any_of(labels.begin(), labels.end(), [](const TDF_Label& label) {
+    if (XCAFDoc_ShapeTool::IsAssembly(label) && XCAFDoc_ShapeTool::NbComponents(label) > 0) return false;
+    const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(label);
+    return shape.IsNull() || !TopExp_Explorer(shape, TopAbs_VERTEX).More();
+  });
+}
+
 /// InputError where parts are in files that were not found beside this one, or could not be read. Files
-/// without a suffix of STEP are drawings and texts about the parts.
-void require_external_files(const STEPCAFControl_Reader& reader, const std::filesystem::path& path) {
+/// without a suffix of STEP are drawings and texts about the parts, and a file may name others that hold what
+/// it has itself.
+void require_external_files(const STEPCAFControl_Reader& reader, const Handle(TDocStd_Document) & document,
+                            const std::filesystem::path& path) {
   constexpr std::size_t kNamed = 5;
   std::vector<std::string> missing;
   using Files = NCollection_DataMap<TCollection_AsciiString, Handle(STEPCAFControl_ExternFile)>;
@@ -106,7 +123,7 @@ void require_external_files(const STEPCAFControl_Reader& reader, const std::file
     const bool is_read = it.Value()->GetLoadStatus() == IFSelect_RetDone && it.Value()->GetTransferStatus();
     if (is_step && !is_read) missing.push_back(quoted(name));
   }
-  if (missing.empty()) return;
+  if (missing.empty() || !has_empty_part(document)) return;
   std::sort(missing.begin(), missing.end());
   const std::size_t count = missing.size();
   missing.resize(std::min(count, kNamed));
@@ -140,7 +157,7 @@ CadDocument read_step(const std::filesystem::path& path) {
   if (!lengths.IsEmpty()) result.unit = lower(lengths.First().ToCString());
   ScopedDocument document;
   if (reader.Transfer(document.get())) collect_labels(document.get(), result);
-  require_external_files(reader, path);
+  require_external_files(reader, document.get(), path);
   return result;
 }
 

@@ -10,7 +10,9 @@
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
 #include <filesystem>
+#include <fstream>
 #include <gp_Trsf.hxx>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -83,6 +85,43 @@ TEST(ExternalFiles, AMissingOneIsNamedAndTheRestAreNotTakenForTheWhole) {
     EXPECT_NE(what.find("'part_small.stp'"), std::string::npos) << what;
     EXPECT_EQ(what.find("part_large"), std::string::npos) << what;
   }
+}
+
+/// A reference of product definition #5 to a file that is not there.
+constexpr const char* kReference = R"(
+#9045 = DOCUMENT('','',$,#9046);
+#9046 = DOCUMENT_TYPE('configuration controlled document version');
+#9044 = DOCUMENT_PRODUCT_EQUIVALENCE('equivalence',$,#9045,#9047);
+#9047 = PRODUCT_DEFINITION_FORMATION('1','',#9048);
+#9048 = PRODUCT('20001','native.stp-Doc','',(#9049));
+#9049 = PRODUCT_CONTEXT('',#9050,'');
+#9050 = APPLICATION_CONTEXT('');
+#9051 = PRODUCT_DEFINITION_WITH_ASSOCIATED_DOCUMENTS('1','',#9047,#9052,(#9053));
+#9052 = PRODUCT_DEFINITION_CONTEXT('digital document definition',#9050,'');
+#9053 = DOCUMENT_FILE('native.stp','',$,#9054,'',$);
+#9054 = DOCUMENT_TYPE('');
+#9055 = APPLIED_EXTERNAL_IDENTIFICATION_ASSIGNMENT('native.stp',#9056,#9057,(#9053));
+#9056 = IDENTIFICATION_ROLE('external document id and location',$);
+#9057 = EXTERNAL_SOURCE(IDENTIFIER('native.stp'));
+#9058 = ROLE_ASSOCIATION(#9059,#9060);
+#9059 = OBJECT_ROLE('mandatory',$);
+#9060 = APPLIED_DOCUMENT_REFERENCE(#9045,'',(#5));
+#9066 = DOCUMENT_REPRESENTATION_TYPE('digital',#9053);
+)";
+
+TEST(ExternalFiles, AMissingOneIsNotNeededWhereThePartIsInTheFile) {
+  const SplitAssembly assembly;
+  std::ifstream in(assembly.part("small"), std::ios::binary);
+  std::ostringstream content;
+  content << in.rdbuf();
+  in.close();
+  std::string text = content.str();
+  ASSERT_NE(text.find("#5 = PRODUCT_DEFINITION("), std::string::npos);
+  text.insert(text.rfind("ENDSEC;"), kReference);
+  std::ofstream(assembly.part("small"), std::ios::binary) << text;
+  const Model model = read_part(assembly.part("small"));
+  ASSERT_EQ(model.count(3), 1);
+  EXPECT_NEAR(model.region(1).volume, 1.0, 1e-9);
 }
 
 }  // namespace
