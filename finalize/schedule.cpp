@@ -40,13 +40,14 @@ class Chase {
   Workshop& shop_;
 };
 
-/// Works on what is below the target until nothing gives.
-void chase(Workshop& shop, double target, double polish, Observer& observer) {
+/// Works on what is below the goal, or below what `chase_goal` makes of it, until nothing gives.
+void chase(Workshop& shop, double target, double goal, double polish, Observer& observer) {
   const Chase worst_first(shop);
+  goal = chase_goal(shop.mesh, target, goal);
   for (int pass = 0; pass < kPasses; ++pass) {
-    const std::size_t done = improve_worst_first(shop, target, observer);
+    const std::size_t done = improve_worst_first(shop, goal, observer);
     if (pass > 0 && done == 0) break;
-    relax_around(shop, target, polish);
+    relax_around(shop, goal, polish);
   }
 }
 
@@ -102,20 +103,19 @@ void improve_all(Workshop& shop, double target, double polish, double chased, Ob
       break;
     case FinalizeScope::kFast:
       raise_mean(shop, polish, kSweeps, observer);
-      chase(shop, target, polish, observer);
+      chase(shop, target, target, polish, observer);
       break;
     case FinalizeScope::kAll:
       raise_mean(shop, polish, kSweeps, observer);
       collapse_for_mean(shop, polish);
       raise_mean(shop, polish, kSweeps, observer);
-      chased = chase_goal(shop.mesh, target, chased);
-      chase(shop, chased, polish, observer);
+      chase(shop, target, chased, polish, observer);
       split_long_edges(shop, chased);
       if (shop.options.coarse_size_at) {
         shop.coarsening = true;
         collapse_short_edges(shop);
         raise_mean(shop, polish, kSweeps, observer);
-        chase(shop, chased, polish, observer);
+        chase(shop, target, chased, polish, observer);
         split_long_edges(shop, chased);
       }
       raise_mean(shop, polish, kLastSweeps, observer);
@@ -152,7 +152,7 @@ Scheduled run_schedule(Workshop& shop, Chosen chosen, Observer& observer) {
   if (chosen == Chosen::kByScope) {
     improve_all(shop, target, polish, chased, observer);
   } else {
-    chase(shop, options.scope == FinalizeScope::kFast ? target : chased, polish, observer);
+    chase(shop, target, options.scope == FinalizeScope::kFast ? target : chased, polish, observer);
     open_obtuse(shop, observer);
   }
   DihedralExtremes after = extremes(shop.mesh, options.target_dihedral);

@@ -15,6 +15,7 @@ struct SizingOptions {
   double curvature_angle = 0.785;  ///< radians of turning per element on edges and faces; 0: off
   double curvature_floor = 0.0;    ///< no wish for curvature's sake is smaller than this
   double edge_share = 1.0;         ///< size <= edge_share * length of a real edge with two distinct ends
+                                   ///< that is no shorter than 1/32 of `min_size`; 0: off
   double edge_gap_elements = 1.0;  ///< across to the nearest edge that neither shares a vertex nor comes
                                    ///< nearer than 1/32 of `min_size`; 0: off
 };

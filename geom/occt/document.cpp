@@ -29,6 +29,7 @@
 #include <algorithm>
 #include <cctype>
 #include <fstream>
+#include <optional>
 #include <vector>
 
 #include "base/error.h"
@@ -61,7 +62,7 @@ class ScopedDocument {
   Handle(TDocStd_Document) document_;
 };
 
-std::string quoted(const std::filesystem::path& path) { return "'" + path.string() + "'"; }
+std::string quoted(const std::filesystem::path& path) { return fmt::format("'{}'", path.string()); }
 
 /// A complete STEP file ends with END-ISO-10303-21 (ISO 10303-21, 5.2); OCCT reads on without it.
 void require_step_end(const std::filesystem::path& path) {
@@ -108,11 +109,12 @@ bool has_empty_part(const Handle(TDocStd_Document) & document) {
   });
 }
 
-/// InputError where parts are in files that were not found beside this one, or could not be read. Files
-/// without a suffix of STEP are drawings and texts about the parts, and a file may name others that hold what
-/// it has itself.
-void require_external_files(const STEPCAFControl_Reader& reader, const Handle(TDocStd_Document) & document,
-                            const std::filesystem::path& path) {
+/// What to say of files that the parts are in, and that were not found beside this one or could not be read;
+/// InputError where a part is empty without. Files without a suffix of STEP are drawings and texts about the
+/// parts, and a file may name others that hold what it has itself.
+std::optional<std::string> check_external_files(const STEPCAFControl_Reader& reader,
+                                                const Handle(TDocStd_Document) & document,
+                                                const std::filesystem::path& path) {
   constexpr std::size_t kNamed = 5;
   std::vector<std::string> missing;
   using Files = NCollection_DataMap<TCollection_AsciiString, Handle(STEPCAFControl_ExternFile)>;
@@ -123,13 +125,19 @@ void require_external_files(const STEPCAFControl_Reader& reader, const Handle(TD
     const bool is_read = it.Value()->GetLoadStatus() == IFSelect_RetDone && it.Value()->GetTransferStatus();
     if (is_step && !is_read) missing.push_back(quoted(name));
   }
-  if (missing.empty() || !has_empty_part(document)) return;
+  if (missing.empty()) return std::nullopt;
   std::sort(missing.begin(), missing.end());
   const std::size_t count = missing.size();
   missing.resize(std::min(count, kNamed));
-  throw InputError(fmt::format(
-      "STEP file {} has parts in other files, {} of which were not found beside it or cannot be read: {}{}",
-      quoted(path), count, fmt::join(missing, ", "), count > kNamed ? ", ..." : ""));
+  const std::string named = fmt::format("{}{}", fmt::join(missing, ", "), count > kNamed ? ", ..." : "");
+  if (has_empty_part(document))
+    throw InputError(fmt::format(
+        "STEP file {} has parts in other files, {} of which were not found beside it or cannot be read: {}",
+        quoted(path), count, named));
+  return fmt::format(
+      "{} file(s) that the STEP file names for its parts were not found beside it or cannot be read, but no "
+      "part is empty: {}",
+      count, named);
 }
 
 CadDocument read_step(const std::filesystem::path& path) {
@@ -157,7 +165,8 @@ CadDocument read_step(const std::filesystem::path& path) {
   if (!lengths.IsEmpty()) result.unit = lower(lengths.First().ToCString());
   ScopedDocument document;
   if (reader.Transfer(document.get())) collect_labels(document.get(), result);
-  require_external_files(reader, document.get(), path);
+  if (std::optional<std::string> note = check_external_files(reader, document.get(), path))
+    result.notes.push_back(*std::move(note));
   return result;
 }
 
