@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Points on model faces: the exact cuts of octant edges, thinned by spacing, in matched pairs.
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <optional>
 
+#include "base/blocks.h"
 #include "base/error.h"
 #include "geom/face_match.h"
 #include "geom/opposite.h"
@@ -16,9 +22,12 @@ struct FacePoint {
   double size;
 };
 
+/// Puts points on faces: among those of `state`, or in a list of its own.
 class FaceSeeder {
  public:
-  explicit FaceSeeder(SeedState& state) : state_(state), model_(state.model) {}
+  explicit FaceSeeder(SeedState& state) : FaceSeeder(state, &state) {}
+  /// One that reads `state` alone, and can be beside others: what it puts is in own().
+  [[nodiscard]] static FaceSeeder beside(const SeedState& state) { return {state, nullptr}; }
 
   /// A vertex or edge that comes close to a face it does not bound gets a partner on that face.
   void match_vertices_and_edges() {
@@ -40,10 +49,9 @@ class FaceSeeder {
         }
   }
 
-  void offer(const Hit& hit) {
-    if (hit.on.dim != 2 || hit.kind != HitKind::kTransversal) return;
-    if (state_.seeds.tips.holder(hit.on.tag, hit.point)) return;
-    const FacePoint a{hit.point, hit.on.tag, state_.tree.spacing_at(hit.point)};
+  /// A cut through a face, with its partners, if all of them are free. `spacing`: the octree's there.
+  void offer(const Hit& hit, double spacing) {
+    const FacePoint a{hit.point, hit.on.tag, spacing};
     if (!is_free(a)) return;
     std::vector<FacePoint> partners;
     for (const int side : {-1, 1}) {
@@ -57,7 +65,15 @@ class FaceSeeder {
       if (is_free(b)) add(b);
   }
 
+  [[nodiscard]] const std::vector<FacePoint>& own() const { return own_; }
+
  private:
+  FaceSeeder(const SeedState& state, SeedState* sink)
+      : state_(state),
+        sink_(sink),
+        model_(state.model),
+        own_grid_(state.tree.origin(), state.tree.root_size()) {}
+
   void match(std::uint32_t point, const Vec3& tangent) {
     const ModelRef on = state_.seeds.points.on[point];
     const Vec3 a = state_.seeds.points.position[point];
@@ -68,7 +84,14 @@ class FaceSeeder {
     }
   }
 
-  void add(const FacePoint& a) { state_.add(a.p, model_face(a.face), a.size); }
+  void add(const FacePoint& a) {
+    if (sink_ != nullptr) {
+      sink_->add(a.p, model_face(a.face), a.size);
+      return;
+    }
+    own_grid_.add(static_cast<std::uint32_t>(own_.size()), a.p, a.size);
+    own_.push_back(a);
+  }
 
   /// Far enough from the points of the same face's closure, and outside the diametral ball of every edge
   /// piece.
@@ -76,7 +99,8 @@ class FaceSeeder {
     const ModelRef face = model_face(a.face);
     const double spacing = (model_.is_plane(a.face) ? kPlaneSpacing : kFaceSpacing) * a.size;
     const SeedPoints& points = state_.seeds.points;
-    if (state_.points_grid.any_within(
+    if (own_grid_.any_within(a.p, spacing, [&](std::uint32_t n, double) { return own_[n].face == a.face; }) ||
+        state_.points_grid.any_within(
             a.p, spacing, [&](std::uint32_t n, double) { return model_.in_closure(points.on[n], face); }))
       return false;
     return !state_.piece_grid.any_within(a.p, a.size, [&](std::uint32_t n, double) {
@@ -92,21 +116,135 @@ class FaceSeeder {
     return FacePoint{foot->point, foot->on.tag, a.size};
   }
 
-  SeedState& state_;
+  const SeedState& state_;
+  SeedState* sink_;  ///< `state_`, or null
   const Model& model_;
+  std::vector<FacePoint> own_;
+  PointGrid own_grid_;
 };
+
+/// Per cut the octree's spacing there; 0 where it is no candidate for a point.
+std::vector<double> candidate_spacings(const SeedState& state, const std::vector<OctantEdgeCut>& cuts) {
+  std::vector<double> spacings(cuts.size(), 0.0);
+  tbb::parallel_for(std::size_t{0}, cuts.size(), [&](std::size_t i) {
+    const Hit& hit = cuts[i].hit;
+    if (hit.on.dim == 2 && hit.kind == HitKind::kTransversal &&
+        state.seeds.tips.holder(hit.on.tag, hit.point) == nullptr)
+      spacings[i] = state.tree.spacing_at(hit.point);
+  });
+  return spacings;
+}
+
+/// Successive cuts in one block of space.
+struct CutRun {
+  std::uint64_t block;
+  std::size_t first, last;
+};
+
+/// Cuts in blocks of space of eight colours. Two blocks of a colour are a block's length apart, which is
+/// farther than a cut and its partners reach: none of the one keeps out any of the other.
+class CutBlocks {
+ public:
+  /// `spacings`: candidate_spacings(), referred to.
+  CutBlocks(const Octree& tree, const std::vector<OctantEdgeCut>& cuts, const std::vector<double>& spacings);
+
+  /// Whether a cut with this spacing reaches too far for blocks; such cuts are in none.
+  [[nodiscard]] bool is_large(double spacing) const { return kReach * spacing > length_; }
+  /// A colour's blocks, each with its runs in the order of the cuts.
+  [[nodiscard]] const std::vector<std::vector<CutRun>>& of_colour(std::size_t colour) const {
+    return blocks_[colour];
+  }
+
+ private:
+  static constexpr int kBits = 20;  ///< for a block's place along an axis
+  /// In spacings of the cut in the middle, were they in the order of spacings.
+  static constexpr double kLength = 24.0;
+  /// In spacings: two partners' distances, and what keeps a partner out, with room for rounding.
+  static constexpr double kReach = 2.0 * kMatchDistance + std::max(kFaceSpacing, kPlaneSpacing) + 0.1;
+
+  /// The colour in front, so that blocks sorted are in the order of colours.
+  [[nodiscard]] std::uint64_t block_of(const Vec3& p) const;
+
+  Vec3 origin_;
+  double length_;
+  std::array<std::vector<std::vector<CutRun>>, 8> blocks_;
+};
+
+/// In the middle of those that are not zero; 0 where all are.
+double median(std::vector<double> spacings) {
+  std::erase(spacings, 0.0);
+  if (spacings.empty()) return 0.0;
+  const auto middle = spacings.begin() + static_cast<std::ptrdiff_t>(spacings.size() / 2);
+  std::nth_element(spacings.begin(), middle, spacings.end());
+  return *middle;
+}
+
+CutBlocks::CutBlocks(const Octree& tree, const std::vector<OctantEdgeCut>& cuts,
+                     const std::vector<double>& spacings)
+    : origin_(tree.origin()),
+      length_(std::max(kLength * median(spacings), std::ldexp(tree.root_size(), -kBits + 1))) {
+  std::vector<CutRun> runs = joined(
+      map_blocks<std::vector<CutRun>>(cuts.size(), kScanBlock, [&](std::size_t first, std::size_t last) {
+        std::vector<CutRun> found;
+        for (std::size_t i = first; i < last; ++i) {
+          if (spacings[i] == 0.0 || is_large(spacings[i])) continue;
+          const std::uint64_t block = block_of(cuts[i].hit.point);
+          if (found.empty() || found.back().block != block || found.back().last != i)
+            found.push_back({block, i, i});
+          found.back().last = i + 1;
+        }
+        return found;
+      }));
+  std::stable_sort(runs.begin(), runs.end(),
+                   [](const CutRun& a, const CutRun& b) { return a.block < b.block; });
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    std::vector<std::vector<CutRun>>& blocks = blocks_[runs[i].block >> 3 * kBits];
+    if (i == 0 || runs[i - 1].block != runs[i].block) blocks.emplace_back();
+    blocks.back().push_back(runs[i]);
+  }
+}
+
+std::uint64_t CutBlocks::block_of(const Vec3& p) const {
+  const Vec3 x = (p - origin_) / length_;
+  std::uint64_t colour = 0, block = 0;
+  for (int k = 0; k < 3; ++k) {
+    const auto along = static_cast<std::uint64_t>(std::max(0.0, x[k]));
+    colour |= (along & 1) << k;
+    block = block << kBits | along;
+  }
+  return colour << 3 * kBits | block;
+}
 
 }  // namespace
 
 void seed_model_faces(SeedState& state, const std::vector<OctantEdgeCut>& cuts,
                       const std::function<bool()>& cancelled) {
   constexpr std::size_t kCutsAQuestion = 4096;
+  const auto ask = [&] {
+    if (cancelled && cancelled()) throw Cancelled();
+  };
   FaceSeeder seeder(state);
   seeder.match_vertices_and_edges();
   seeder.add_rings();
+  const std::vector<double> spacings = candidate_spacings(state, cuts);
+  std::optional<CutBlocks> blocks;
+  if (cuts.size() >= kCutsInBlocks) blocks.emplace(state.tree, cuts, spacings);
   for (std::size_t i = 0; i < cuts.size(); ++i) {
-    if (i % kCutsAQuestion == 0 && cancelled && cancelled()) throw Cancelled();
-    seeder.offer(cuts[i].hit);
+    if (i % kCutsAQuestion == 0) ask();
+    if (spacings[i] > 0.0 && (!blocks || blocks->is_large(spacings[i])))
+      seeder.offer(cuts[i].hit, spacings[i]);
+  }
+  for (std::size_t colour = 0; blocks && colour < 8; ++colour) {
+    ask();
+    const std::vector<std::vector<CutRun>>& own = blocks->of_colour(colour);
+    const auto placed = map_blocks<std::vector<FacePoint>>(own.size(), 1, [&](std::size_t b, std::size_t) {
+      FaceSeeder beside = FaceSeeder::beside(state);
+      for (const CutRun& run : own[b])
+        for (std::size_t i = run.first; i < run.last; ++i) beside.offer(cuts[i].hit, spacings[i]);
+      return beside.own();
+    });
+    for (const std::vector<FacePoint>& points : placed)
+      for (const FacePoint& a : points) state.add(a.p, model_face(a.face), a.size);
   }
 }
 

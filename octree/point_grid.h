@@ -38,6 +38,7 @@ class PointGrid {
   /// stops when it returns true.
   template <class Visit>
   bool any_within(const Vec3& at, double r, const Visit& visit) const {
+    if (used_ == 0) return false;
     const int start = level_of(2.0 * r);
     const Query<Visit> query{at, at - Vec3::Constant(r), at + Vec3::Constant(r), r * r, visit};
     // Those beside which a point is too near mostly have the spacing that is asked about.

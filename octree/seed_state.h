@@ -13,6 +13,8 @@ namespace octet {
 inline constexpr double kFaceSpacing = 0.7, kPlaneSpacing = 0.8;
 /// Sheets and edges closer than this get matched pairs.
 inline constexpr double kMatchDistance = 0.7;
+/// Cuts are gone through in blocks of space, in parallel, where there are as many; else in their order.
+inline constexpr std::size_t kCutsInBlocks = 100'000;
 
 struct SeedState {
   SeedState(const Model& m, const Octree& t, double edge_cell)

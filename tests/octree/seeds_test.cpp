@@ -4,10 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <oneapi/tbb/task_arena.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "geom/analytic.h"
+#include "octree/seed_state.h"
 #include "tests/support/seed_points.h"
 
 namespace octet {
@@ -17,6 +20,7 @@ struct Stage {
   Octree tree;
   OctreeVertices vertices;
   OctreeLabels labels;
+  std::vector<OctantEdgeCut> cuts;
   Seeds seeds;
 };
 
@@ -27,10 +31,10 @@ Stage seed(const Model& model, double size) {
   OctreeVertices vertices = octree_vertices(tree);
   const OctantTypes types = octant_types(model, tree);
   const std::vector<OctantEdge> edges = boundary_octant_edges(tree, vertices, types);
-  const std::vector<OctantEdgeCut> cuts = cut_octant_edges(model, tree, vertices, edges);
+  std::vector<OctantEdgeCut> cuts = cut_octant_edges(model, tree, vertices, edges);
   OctreeLabels labels = label_vertices(model, tree, vertices, types, edges, cuts);
   Seeds seeds = test::seed_points(model, tree, vertices, labels, cuts, {size});
-  return {std::move(tree), std::move(vertices), std::move(labels), std::move(seeds)};
+  return {std::move(tree), std::move(vertices), std::move(labels), std::move(cuts), std::move(seeds)};
 }
 
 Frame oblique() {
@@ -110,6 +114,41 @@ TEST(Seeds, FacePointsKeepTheirDistanceFromTheClosureOfTheirFace) {
   const double on_a_ball = least_on_a_face(analytic_ball(1.0, {oblique(), 1e-3}), 0.25);
   EXPECT_GT(on_a_ball, 0.7 * (1 - 1e-6));
   EXPECT_LT(on_a_ball, 0.8) << "chords of curved faces are shorter";
+}
+
+TEST(Seeds, BlocksOfManyCutsKeepOneAnothersDistance) {
+  const Model model = analytic_ball(1.0, {oblique(), 1e-3});
+  const double size = 0.02;
+  const Stage stage = seed(model, size);
+  ASSERT_GT(stage.cuts.size(), kCutsInBlocks);
+  const double spacing = kSpacingPerOctant * size;
+  PointGrid grid(stage.tree.origin(), stage.tree.root_size());
+  const SeedPoints& points = stage.seeds.points;
+  for (std::uint32_t n = 0; n < stage.seeds.surface_points; ++n) {
+    EXPECT_FALSE(grid.any_within(points.position[n], 0.7 * (1 - 1e-6) * spacing,
+                                 [](std::uint32_t, double) { return true; }));
+    grid.add(n, points.position[n], spacing);
+  }
+  // Nor is there room for another, at the seams of blocks as elsewhere.
+  std::size_t places = 0;
+  for (const OctantEdgeCut& cut : stage.cuts) {
+    if (cut.hit.on.dim != 2) continue;
+    ++places;
+    EXPECT_TRUE(grid.any_within(cut.hit.point, spacing, [](std::uint32_t, double) { return true; }));
+  }
+  EXPECT_GT(places, kCutsInBlocks);
+}
+
+TEST(Seeds, BlocksOfManyCutsAreTheSameForAnyNumberOfThreads) {
+  const Model model = analytic_box(Vec3(1, 1, 0.004), {oblique(), 1e-3});
+  const auto places = [&] {
+    const Stage stage = seed(model, 0.008);
+    EXPECT_GT(stage.cuts.size(), kCutsInBlocks);
+    return stage.seeds.points.position;
+  };
+  std::vector<Vec3> alone;
+  tbb::task_arena(1).execute([&] { alone = places(); });
+  EXPECT_EQ(places(), alone);
 }
 
 /// Of octree points inside, how near the nearest is to the surface, in local sizes.
