@@ -93,6 +93,16 @@ std::vector<TopoDS_Shape> open_shells(const Sewn& sewn) {
   return shells;
 }
 
+/// The openings that --cap would close: of the shape as it is, or of its faces sewn where those of them that
+/// meet share no edges, as in solids that a translator wrote face by face.
+std::size_t cap_count(const TopoDS_Shape& shape, const SewOptions& tried) {
+  if (const auto caps = planar_caps(shape, tried.tolerance); !caps.empty()) return caps.size();
+  std::vector<TopoDS_Shape> faces;
+  for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next()) faces.push_back(it.Current());
+  const Sewn sewn = sew_faces(faces, tried);
+  return sewn.shape.IsNull() ? 0 : planar_caps(sewn.shape, sewn.tolerance).size();
+}
+
 }  // namespace
 
 ShapeMaps::ShapeMaps(const TopoDS_Shape& shape) {
@@ -143,8 +153,8 @@ Fault opening_of(const TopoDS_Shape& shape, const ShapeMaps& as_read, const Soli
                                edges.size(), widest);
     fault.advice = advice_for(widest, diagonal_of(box_of(shape)), tried.tolerance);
   }
-  if (const auto caps = tried.cap ? std::vector<Cap>{} : planar_caps(shape, tried.tolerance); !caps.empty())
-    fault.advice += fmt::format("; {} opening(s) lie in planes: --cap closes such", caps.size());
+  if (const std::size_t caps = tried.cap ? 0 : cap_count(shape, tried); caps > 0)
+    fault.advice += fmt::format("; {} opening(s) lie in planes: --cap closes such", caps);
   return fault;
 }
 

@@ -65,6 +65,8 @@ TEST(OpenParts, AShellThatLacksAFaceIsAFault) {
   const ModelParts parts = parts_of(shapes);
   ASSERT_EQ(parts.faults.size(), 1u);
   EXPECT_NE(parts.faults[0].cause.find("\"part 1\" is left out"), std::string::npos) << parts.faults[0].cause;
+  EXPECT_NE(parts.faults[0].advice.find("1 opening(s) lie in planes: --cap closes such"), std::string::npos)
+      << parts.faults[0].advice;
 }
 
 TEST(OpenParts, AShellThatSewingLeavesOpenBesideAClosedOneIsAFault) {
