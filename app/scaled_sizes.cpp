@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/element_estimate.h"
 
@@ -18,6 +19,37 @@ constexpr double kWidestAngle = M_PI / 3.0;
 /// What a mesh without a size may be estimated at. Estimates of thin sheets are up to three times the truth,
 /// those of parts with many small features down to six tenths: meshes have 2 000 to 500 000 elements.
 constexpr double kFewest = 4'000.0, kMost = 290'000.0;
+
+/// Up to this estimate a mesh without a size follows curved faces more closely.
+constexpr double kSmallMesh = 40'000.0;
+
+/// Whether nothing is asked for about curved faces, or for a number of elements, which all sizes serve.
+bool has_free_curvature(const MeshOptions& options) {
+  return options.curvature_angle == SizeControl().curvature_angle && options.curvature_floor == 0.0 &&
+         options.target_elements == 0.0;
+}
+
+struct Sized {
+  MeshOptions options;
+  SizePlan plan;
+  double elements;  ///< estimated
+};
+
+Sized sized(const Model& model, const MeshOptions& options) {
+  SizePlan plan = plan_sizes(model, options);
+  const double elements = estimated_elements(model, plan);
+  return {options, std::move(plan), elements};
+}
+
+/// With as many elements on a circle as a small mesh has room for.
+Sized with_rounder_faces(const Model& model, Sized given) {
+  for (const int on_a_circle : {20, 16, 13}) {
+    MeshOptions options = given.options;
+    options.curvature_angle = 2.0 * M_PI / on_a_circle;
+    if (Sized rounder = sized(model, options); rounder.elements <= kSmallMesh) return rounder;
+  }
+  return given;
+}
 
 }  // namespace
 
@@ -70,19 +102,21 @@ MeshOptions with_default_size(const Model& model, const MeshOptions& options) {
   chosen.suit_curvature = true;
   if (options.small_regions) chosen.region_scale = 1.0;
   if (!has_free_sizes(options)) return chosen;
+  Sized first = sized(model, chosen);
+  if (first.elements < kSmallMesh && has_free_curvature(options))
+    first = with_rounder_faces(model, std::move(first));
+  const double wanted = std::clamp(first.elements, kFewest, kMost);
+  if (wanted == first.elements) return first.options;
   const auto sizes = [&](double log_scale) {
-    MeshOptions scaled = chosen;
-    scaled.size = chosen.size * std::exp(log_scale);
-    scaled.region_scale = chosen.region_scale * std::exp(log_scale);
+    MeshOptions scaled = first.options;
+    scaled.size *= std::exp(log_scale);
+    scaled.region_scale *= std::exp(log_scale);
     scaled.suit_curvature = false;  // as in scaled_sizes()
     return scaled;
   };
-  const SizePlan plan = plan_sizes(model, chosen);
-  const double elements = estimated_elements(model, plan);
-  const double wanted = std::clamp(elements, kFewest, kMost);
-  if (wanted == elements) return chosen;
   const auto planned = [&](double log_scale) {
-    return log_scale >= 0.0 ? coarsened(plan, std::exp(log_scale)) : plan_sizes(model, sizes(log_scale));
+    return log_scale >= 0.0 ? coarsened(first.plan, std::exp(log_scale))
+                            : plan_sizes(model, sizes(log_scale));
   };
   return sizes(log_scale_for(model, planned, std::log(wanted), 0.0));
 }

@@ -113,8 +113,11 @@ void add_size_options(CLI::App& command, SizeWords& words) {
       ->type_name("FILE")
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  number("--curvature", words.curvature,
-         "Elements on a full circle, or the angle of one as 20deg; 0: off (default: 11)", "N");
+  number(
+      "--curvature", words.curvature,
+      "Elements on a full circle, or the angle of one as 20deg; 0: off (default: 11; up to 20 where no size "
+      "is asked for and the mesh stays small)",
+      "N");
   number("--wall-elements", words.wall_elements, "Elements across walls; 0: off (default: 1)", "N");
   number("--gap-elements", words.gap_elements,
          "Elements across gaps and between near edges; 0: off (default: 1)", "N");

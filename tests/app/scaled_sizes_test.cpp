@@ -86,6 +86,30 @@ TEST(ScaledSizes, ARegionAThousandTimesSmallerThanThePartHasASizeOfItsOwn) {
   EXPECT_GT(plan.min_size, 5.0 * plan.region_size[2]);
 }
 
+TEST(ScaledSizes, SmallMeshesFollowCurvedFacesMoreClosely) {
+  const double usual = SizeControl().curvature_angle;
+  const Model torus = analytic_torus(1.2, 0.4, {{}, 1e-3});
+  const MeshOptions unasked = with_default_size(torus, {});
+  EXPECT_NEAR(unasked.curvature_angle, 2.0 * M_PI / 20, 1e-12);
+  EXPECT_LT(estimate(torus, unasked), 40'000.0);
+  const MeshResult result = mesh_part(torus);
+  EXPECT_EQ(result.report.status, MeshStatus::kComplete);
+  EXPECT_LT(std::abs(result.report.volume / torus.region(1).volume - 1.0), 0.01);
+
+  MeshOptions asked;  // what is asked for is left alone
+  asked.curvature_angle = 0.5;
+  EXPECT_EQ(with_default_size(torus, asked).curvature_angle, 0.5);
+  asked = {};
+  asked.size = 0.2;
+  EXPECT_EQ(with_default_size(torus, asked).curvature_angle, usual);
+  asked = {};
+  asked.target_elements = 10'000.0;
+  EXPECT_EQ(with_default_size(torus, asked).curvature_angle, usual);
+
+  const Model thin = analytic_hollow_ball(1.0, 0.97, {{}, 1e-3});  // has no room for more
+  EXPECT_EQ(with_default_size(thin, {}).curvature_angle, usual);
+}
+
 TEST(ScaledSizes, ASizeAskedForIsLeftAlone) {
   MeshOptions options;
   options.size = 0.3;
