@@ -96,10 +96,9 @@ void improve_all(Workshop& shop, double target, double polish, double chased, Ob
   switch (shop.options.scope) {
     case FinalizeScope::kSmoothing:
     case FinalizeScope::kNicks:
-      for (int pass = 0; pass < kPasses; ++pass) {
-        relax_for_mean(shop, polish, kLastSweeps);
-        relax_around(shop, chased, polish);
-      }
+      // Once: without swaps between, more passes only trade the shapes of others for those of the worst.
+      relax_for_mean(shop, polish, kLastSweeps);
+      relax_around(shop, chased, polish);
       break;
     case FinalizeScope::kFast:
       raise_mean(shop, polish, kSweeps, observer);
