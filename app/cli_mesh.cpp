@@ -16,13 +16,12 @@
 #include "app/console.h"
 #include "app/exit_code.h"
 #include "app/length_unit.h"
-#include "app/mesh_part.h"
+#include "app/mesh_file.h"
 #include "app/outline.h"
 #include "app/output_check.h"
 #include "app/report_json.h"
 #include "app/stage_clock.h"
 #include "app/summary.h"
-#include "geom/occt/read_part.h"
 #include "io/output_file.h"
 #include "io/write.h"
 
@@ -86,21 +85,17 @@ ConsoleOptions console_options(const MeshCommand& command) {
 int mesh_to_file(const MeshCommand& command, const MeshOptions& options, const LengthUnit& unit,
                  const RunNames& names, MeshFormat format) {
   Console console(console_options(command));
+  MeshedFile made = mesh_file(
+      command.part, command.reading, [&](const Model& part) { return mesh_part(part, options, console); },
+      console);
+  const Model& model = made.model;
+  MeshReport& report = made.result.report;
+
   StageClock clock;
-  console.stage("reading", 0.0);
-  const Model model = read_part(command.part, command.reading);
-  for (const std::string& note : model.notes()) console.note(note);
-  const StageTime reading = clock.lap("reading");
-
-  MeshResult result = mesh_part(model, options, console);
-  MeshReport& report = result.report;
-  report.times.insert(report.times.begin(), reading);
-
-  clock = StageClock();
   console.stage("writing", 1.0);
   WriteOptions write_options;
   write_options.scale = 1.0 / unit.millimetres;
-  write_mesh(command.output, result.mesh, outline_of(model), format, write_options);
+  write_mesh(command.output, made.result.mesh, outline_of(model), format, write_options);
   report.times.push_back(clock.lap("writing"));
   write_report(command.report, mesh_report_json(names, model, report));
   console.clear();

@@ -30,7 +30,9 @@ void add_reading_options(CLI::App& command, ReadOptions& reading) {
       .add_option(
           "--defeature", reading.smallest_feature,
           "Take away edges shorter, and faces, spikes and slits narrower than this (mm) where the part "
-          "stays closed and keeps its volume to a twentieth, and list them (default: what rounding leaves)")
+          "stays closed and keeps its volume to a twentieth, and list them (default: what rounding leaves; "
+          "where "
+          "a mesh has faults, what the STEP file says it is not accurate to)")
       ->type_name("LENGTH")
       ->check(CLI::PositiveNumber);
   command

@@ -117,6 +117,7 @@ struct ModelParts {
   std::vector<std::shared_ptr<const Trim>> trims;        ///< per face
   Facets facets;
   std::string unit = "millimetre";  ///< of the file; coordinates here are millimetre
+  double accuracy = 0.0;    ///< what the file states: places nearer than this are one (mm); 0: nothing
   double taken_away = 0.0;  ///< features no larger went at load (ReadOptions::smallest_feature); 0: none
   bool apart = false;       ///< bodies (geom/bodies.h) may touch or overlap though they share nothing
   std::vector<std::string> notes;  ///< what was healed, fused or found odd at load

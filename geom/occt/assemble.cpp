@@ -201,6 +201,7 @@ AssembledPart assemble(const CadDocument& document, const ReadOptions& options, 
   ModelParts& parts = joined.part.parts;
   parts.unit = document.unit;
   parts.notes.insert(parts.notes.begin(), document.notes.begin(), document.notes.end());
+  parts.accuracy = document.accuracy;
   parts.taken_away = options.smallest_feature;
   parts.apart = !joined.apart.empty() || (!options.fuse && parts.regions.size() > 2);
   mark_entities(document, as_read, joined.part.numbering, parts);

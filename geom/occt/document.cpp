@@ -34,6 +34,7 @@
 
 #include "base/error.h"
 #include "geom/occt/labels.h"
+#include "geom/occt/stated_accuracy.h"
 
 namespace octet {
 namespace {
@@ -160,6 +161,7 @@ CadDocument read_step(const std::filesystem::path& path) {
         "items of the STEP file that were passed over, for the CAD kernel does not know their kind "
         "(texts and leaders of notes, tessellations): {}",
         dropped));
+  result.accuracy = stated_accuracy(reader.Reader().WS()->Model());
   TColStd_SequenceOfAsciiString lengths, angles, solid_angles;
   reader.ChangeReader().FileUnits(lengths, angles, solid_angles);
   if (!lengths.IsEmpty()) result.unit = lower(lengths.First().ToCString());

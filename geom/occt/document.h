@@ -35,6 +35,7 @@ struct PlacedPart {
 struct CadDocument {
   TopoDS_Shape shape;  ///< lengths are millimetre
   std::string unit = "millimetre";
+  double accuracy = 0.0;           ///< stated_accuracy(), mm
   std::vector<ShapeLabel> labels;  ///< outer ones first: a later label is more specific
   std::vector<PlacedPart> tree;    ///< outer ones first
   std::vector<std::string> notes;  ///< what was passed over

@@ -89,14 +89,14 @@ void pass_provenance(auto& stream, auto& provenance) {
 }
 
 void pass_parts(auto& stream, auto& parts) {
-  auto& [vertices, edges, faces, regions, curves, surfaces, trims, facets, unit, taken_away, apart, notes,
+  auto& [vertices, edges, faces, regions, curves, surfaces, trims, facets, unit, accuracy, taken_away, apart, notes,
          faults, provenance, whole_tag] = parts;
   pass_entities(stream, vertices);
   pass_entities(stream, edges);
   pass_entities(stream, faces);
   pass_entities(stream, regions);
   pass_facets(stream, facets);
-  stream(unit, taken_away, apart, notes);
+  stream(unit, accuracy, taken_away, apart, notes);
   pass_entities(stream, faults);
   pass_provenance(stream, provenance);
   for (auto& tags : whole_tag) stream(tags);

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A CAD file to a mesh, with what the file says of itself.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+
+#include "app/mesh_part.h"
+#include "geom/occt/read_part.h"
+
+namespace octet {
+
+struct MeshedFile {
+  Model model;
+  MeshResult result;  ///< reading is among its times
+};
+
+/// Reads the part and meshes it. Where the mesh has faults that reading did not have, of a part whose STEP
+/// file states how near places are one and the same, and no smallest feature is given: once more without the
+/// edges, faces, spikes and slits that are smaller than that, or than 1e-5 of the diagonal. That mesh is
+/// taken when it has fewer faults; the first note of the model says so. `mesh`: as mesh_part().
+/// Throws what read_part() and `mesh` throw.
+[[nodiscard]] MeshedFile mesh_file(const std::filesystem::path& path, const ReadOptions& reading,
+                                   const std::function<MeshResult(const Model&)>& mesh, Observer& observer);
+
+}  // namespace octet

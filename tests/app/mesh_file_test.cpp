@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is smaller than a file is accurate to goes where the mesh cannot be closed with it.
+#include "app/mesh_file.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "tests/support/stated_accuracy.h"
+
+namespace octet::test {
+namespace {
+
+class MeshFile : public testing::Test {
+ protected:
+  /// Meshes a block with a chamfer 0.0007 mm wide by a mesher who finds three faults in it, and `left` in the
+  /// block without.
+  MeshedFile run(const std::string& accuracy, std::size_t left, const ReadOptions& reading = {}) {
+    const std::string path = testing::TempDir() + "/octet_mesh_file_" +
+                             testing::UnitTest::GetInstance()->current_test_info()->name() + ".step";
+    write_chamfered_block(path, accuracy);
+    const auto mesh = [&](const Model& model) {
+      faces_.push_back(model.count(2));
+      MeshResult result;
+      result.report.faults.resize(model.count(2) == 7 ? 3 : left);
+      if (result.report.faults.empty()) result.report.status = MeshStatus::kComplete;
+      return result;
+    };
+    Observer silent;
+    return mesh_file(path, reading, mesh, silent);
+  }
+
+  std::vector<int> faces_;  ///< of the models that were meshed
+};
+
+TEST_F(MeshFile, IsMadeAgainWithoutWhatTheFileIsNotAccurateTo) {
+  const MeshedFile made = run("0.01", 0);
+  EXPECT_EQ(faces_, (std::vector<int>{7, 6}));
+  EXPECT_EQ(made.model.count(2), 6);
+  EXPECT_EQ(made.result.report.status, MeshStatus::kComplete);
+  ASSERT_FALSE(made.model.notes().empty());
+  EXPECT_NE(made.model.notes().front().find("what is smaller than 0.001732 mm was taken away"),
+            std::string::npos)
+      << made.model.notes().front();
+  ASSERT_EQ(made.result.report.times.size(), 2u);
+  EXPECT_EQ(made.result.report.times[0].name, "other tries");
+  EXPECT_EQ(made.result.report.times[1].name, "reading");
+}
+
+TEST_F(MeshFile, IsKeptWhereTheOtherIsNoBetter) {
+  const MeshedFile made = run("0.01", 3);
+  EXPECT_EQ(faces_, (std::vector<int>{7, 6}));
+  EXPECT_EQ(made.model.count(2), 7);
+  EXPECT_EQ(made.result.report.faults.size(), 3u);
+}
+
+TEST_F(MeshFile, IsMadeOnceWhereTheFileIsAccurate) {
+  EXPECT_EQ(run("1.E-07", 0).model.count(2), 7);
+  EXPECT_EQ(faces_, (std::vector<int>{7}));
+}
+
+TEST_F(MeshFile, IsMadeOnceWhereASmallestFeatureIsGiven) {
+  ReadOptions reading;
+  reading.smallest_feature = 2e-4;
+  EXPECT_EQ(run("0.01", 0, reading).model.count(2), 7);
+  EXPECT_EQ(faces_, (std::vector<int>{7}));
+}
+
+}  // namespace
+}  // namespace octet::test
