@@ -4,9 +4,13 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
+#include <cstdint>
 #include <optional>
+#include <vector>
 
+#include "base/blocks.h"
 #include "base/error.h"
 #include "base/size_field.h"
 #include "geom/facet_bvh.h"
@@ -18,14 +22,17 @@ namespace {
 /// Least cosine between a sheet's normal and a ray that meets it face on: normals 135 degrees apart and more.
 constexpr double kFacing = 0.7071;
 
-/// Facets between two questions whether to go on: a multiple of every stride, a tenth of a second at most.
-constexpr std::size_t kFacetsAQuestion = 1024;
+/// Facets that one task looks from, and that all do between two questions whether to go on.
+constexpr std::size_t kFacetsATask = 64, kFacetsAQuestion = 4096;
 
 /// Tetrahedra in the cube of their mean edge length, as the octree makes them (12 in an octant).
 constexpr double kTetsPerCube = 9.4;
 
 /// Facets that a ray is held against one by one; among more each ray finds its own.
 constexpr std::size_t kMany = 256;
+
+/// Rays meet a facet so far beyond its sides, in shares of it.
+constexpr double kRim = -1e-9;
 
 /// What a ray among countless facets takes (4 us), in the time of an element's whole way through the run.
 /// Slivers of facets are halved along their length until they are as short as their wish, and by their area
@@ -54,46 +61,67 @@ std::vector<std::vector<int>> faces_of_edges(const Model& model) {
 std::vector<Vec3> sheet_normals(const Model& model) {
   const Facets& facets = model.facets();
   std::vector<Vec3> normals(facets.triangles.size());
-  for (std::size_t t = 0; t < normals.size(); ++t) {
+  tbb::parallel_for(std::size_t{0}, normals.size(), [&](std::size_t t) {
     normals[t] =
         model.face_normal(facets.face[t], (facets.uv[t][0] + facets.uv[t][1] + facets.uv[t][2]) / 3.0);
-    if (normals[t].norm() > 0.5) continue;
+    if (normals[t].norm() > 0.5) return;
     const auto [a, b, c] = facet_corners(facets, t);
     normals[t] = (b - a).cross(c - a).normalized();
-  }
+  });
   return normals;
 }
 
+/// What all facets' searches share.
+struct Search {
+  const Model& model;
+  const WallOptions& options;
+  const std::vector<Vec3>& normals;
+  const std::vector<std::vector<int>>& neighbours;  ///< per face: those that share an edge with it, ascending
+  /// So far, added up in any order: a search that is far enough over the budget for rounding not to count is
+  /// given up.
+  std::atomic<double> elements{0.0};
+  std::atomic<bool> given_up{false};
+
+  [[nodiscard]] bool is_over(double sum, double slack = 1.0) const {
+    return options.budget > 0.0 && sum > slack * options.budget;
+  }
+  void spend(double more) {
+    constexpr double kForRounding = 1.000001;
+    if (is_over(elements.fetch_add(more) + more, kForRounding)) given_up = true;
+  }
+};
+
+/// Looks from one facet after another.
 class WallSizer {
  public:
-  WallSizer(const Model& model, const WallOptions& options, const std::vector<Vec3>& normals)
-      : model_(model),
-        facets_(model.facets()),
-        normals_(normals),
-        options_(options),
-        wishes_(options.size, options.min_size),
-        neighbours_(faces_of_edges(model)) {}
+  explicit WallSizer(Search& search)
+      : search_(search),
+        model_(search.model),
+        facets_(search.model.facets()),
+        normals_(search.normals),
+        options_(search.options),
+        wishes_(search.options.size, search.options.min_size) {}
 
-  /// The wishes of every `stride`-th facet; none when they pass the budget.
-  std::optional<std::vector<SizeSample>> run(std::size_t stride = 1) {
-    for (std::size_t t = 0; t < facets_.triangles.size(); t += stride) {
-      if (t % kFacetsAQuestion == 0 && options_.cancelled && options_.cancelled()) throw Cancelled();
-      const int face = facets_.face[t];
-      for (const int side : {-1, 1}) {
-        const int region = model_.face(face).region[side > 0 ? 1 : 0];
-        const bool inside = region != 0;
-        const double n = inside ? options_.wall_elements : options_.gap_elements;
-        if (!(n > 0.0)) continue;
-        const std::array<Vec3, 3> corners = facet_corners(facets_, t);
-        if (!(normals_[t].norm() > 0.5)) continue;
-        const Probe from{t,      face, side * normals_[t],
-                         region, n,    {model_face(face), inside ? SizeReason::kWall : SizeReason::kGap}};
-        if (look_ahead(corners, from)) probe(corners, from, 0);
-        if (options_.budget > 0.0 && elements_ > options_.budget) return std::nullopt;
-      }
+  void look_from(std::size_t t) {
+    if (!(normals_[t].norm() > 0.5)) return;
+    const int face = facets_.face[t];
+    for (const int side : {-1, 1}) {
+      const int region = model_.face(face).region[side > 0 ? 1 : 0];
+      const bool inside = region != 0;
+      const double n = inside ? options_.wall_elements : options_.gap_elements;
+      if (!(n > 0.0)) continue;
+      if (search_.given_up) return;
+      const std::array<Vec3, 3> corners = facet_corners(facets_, t);
+      const Probe from{t,      face, side * normals_[t],
+                       region, n,    {model_face(face), inside ? SizeReason::kWall : SizeReason::kGap}};
+      const double before = elements_;
+      if (look_ahead(corners, from)) probe(corners, from, 0);
+      search_.spend(elements_ - before);
     }
-    return wishes_.take();
   }
+
+  std::vector<SizeSample> take() { return wishes_.take(); }
+  [[nodiscard]] double elements() const { return elements_; }
 
  private:
   struct Probe {
@@ -105,11 +133,13 @@ class WallSizer {
     Wisher who;
   };
 
-  /// A facet that rays may meet.
+  /// A facet that rays may meet: the ray from p meets it where (p - corner) times u, v and their sum are
+  /// within 0 and 1, after (p - corner) times `length`.
   struct Ahead {
     std::uint32_t facet;
     bool is_sheet;  ///< it faces the probe and is of no neighbouring face
     Box3 box;
+    Vec3 corner, u, v, length;
   };
 
   [[nodiscard]] double reach_of(const Probe& probe) const { return octants_across(probe.n) * options_.size; }
@@ -129,6 +159,7 @@ class WallSizer {
   /// another each ray finds its own. Whether one of them may be a sheet.
   bool look_ahead(const std::array<Vec3, 3>& corners, const Probe& probe) {
     ahead_.clear();
+    listed_.clear();
     bool any = false;
     std::size_t seen = 0;
     crowded_ = model_.bvh().any_in_box(swept(corners, probe), [&](std::uint32_t t) {
@@ -138,12 +169,30 @@ class WallSizer {
       double height = 0.0;
       for (const Vec3& corner : c) height = std::max(height, (corner - corners[0]).dot(probe.direction));
       if (height < 0.5 * model_.tolerance()) return false;
-      Ahead& facet = ahead_.emplace_back(Ahead{t, is_sheet(t, probe), {}});
+      Ahead& facet = ahead_.emplace_back();
+      facet.facet = t;
+      facet.is_sheet = is_sheet(t, probe);
+      facet.corner = c[0];
       for (const Vec3& corner : c) facet.box.add(corner);
       any = any || facet.is_sheet;
       return false;
     });
+    if (any && !crowded_) list_ahead(probe.direction);
     return any || crowded_;
+  }
+
+  void list_ahead(const Vec3& direction) {
+    for (std::size_t n = 0; n < ahead_.size(); ++n) {
+      Ahead& facet = ahead_[n];
+      const auto [a, b, c] = facet_corners(facets_, facet.facet);
+      const Vec3 e1 = b - a, e2 = c - a;
+      const double det = e1.dot(direction.cross(e2));
+      if (det == 0.0) continue;  // rays miss it
+      facet.u = direction.cross(e2) / det;
+      facet.v = e1.cross(direction) / det;
+      facet.length = e1.cross(e2) / det;
+      listed_.push_back(static_cast<std::uint32_t>(n));
+    }
   }
 
   /// Whether the facet is another one, and what lies before it is the region of the probe. Facets of one face
@@ -154,7 +203,7 @@ class WallSizer {
   }
 
   [[nodiscard]] bool is_sheet(std::uint32_t t, const Probe& probe) const {
-    const auto& near = neighbours_[static_cast<std::size_t>(probe.face)];
+    const auto& near = search_.neighbours[static_cast<std::size_t>(probe.face)];
     if (std::binary_search(near.begin(), near.end(), facets_.face[t])) return false;
     return std::abs(normals_[t].dot(probe.direction)) > kFacing;
   }
@@ -172,12 +221,16 @@ class WallSizer {
         nearest = first_along(p, length * probe.direction, probe, facet);
       is_sheet = nearest <= reach && this->is_sheet(facet, probe);
     }
-    for (std::size_t n = first; n < ahead_.size() && !crowded_; ++n) {
+    for (std::size_t n = first; n < listed_.size() && !crowded_; ++n) {
       elements_ += kElementsPerFacet;
-      const double s = along(p, probe.direction, ahead_[n].facet);
-      if (s >= nearest) continue;
+      const Ahead& facet = ahead_[listed_[n]];
+      const Vec3 from = p - facet.corner;
+      const double u = from.dot(facet.u), v = from.dot(facet.v);
+      if (!(u >= kRim && v >= kRim && u + v <= 1.0 - kRim)) continue;
+      const double s = from.dot(facet.length);
+      if (!(s > model_.tolerance() && s < nearest)) continue;
       nearest = s;
-      is_sheet = ahead_[n].is_sheet;
+      is_sheet = facet.is_sheet;
     }
     return is_sheet && nearest <= reach ? nearest : kNoSize;
   }
@@ -202,23 +255,23 @@ class WallSizer {
     const double det = e1.dot(h);
     if (det == 0.0) return kNoSize;
     const double u = s.dot(h) / det, v = direction.dot(q) / det, length = e2.dot(q) / det;
-    constexpr double kRim = -1e-9;
     return u >= kRim && v >= kRim && u + v <= 1.0 - kRim && length > model_.tolerance() ? length : kNoSize;
   }
 
   /// The facets ahead of the triangle are among those from number `from` on.
   void probe(const std::array<Vec3, 3>& corners, const Probe& side, std::size_t from) {
     if (crowded_) return halve_or_wish(corners, side, from);
-    const std::size_t first = ahead_.size();
+    const std::size_t first = listed_.size();
     const Box3 box = swept(corners, side);
     bool any = false;
     for (std::size_t n = from; n < first; ++n) {
-      if (!ahead_[n].box.overlaps(box)) continue;
-      any = any || ahead_[n].is_sheet;
-      ahead_.push_back(Ahead(ahead_[n]));
+      const std::uint32_t listed = listed_[n];
+      if (!ahead_[listed].box.overlaps(box)) continue;
+      any = any || ahead_[listed].is_sheet;
+      listed_.push_back(listed);
     }
     if (any) halve_or_wish(corners, side, first);
-    ahead_.resize(first);
+    listed_.resize(first);
   }
 
   void halve_or_wish(const std::array<Vec3, 3>& corners, const Probe& side, std::size_t first) {
@@ -235,7 +288,7 @@ class WallSizer {
                  &right = corners[(longest + 2) % 3];
       const Vec3 half = 0.5 * (left + right);
       probe({top, left, half}, side, first);
-      if (options_.budget > 0.0 && elements_ > options_.budget) return;
+      if (search_.is_over(elements_)) return;
       probe({top, half, right}, side, first);
     } else if (wishes_.counts(wish)) {
       const double area = triangle_area(a, b, c);
@@ -253,16 +306,44 @@ class WallSizer {
       wishes_.add(p + s * side.direction, wish, side.who, side.n > 1.0);
   }
 
+  Search& search_;
   const Model& model_;
   const Facets& facets_;
   const std::vector<Vec3>& normals_;
-  WallOptions options_;
+  const WallOptions& options_;
   Wishes wishes_;
-  std::vector<std::vector<int>> neighbours_;  ///< per face: those that share an edge with it, ascending
-  std::vector<Ahead> ahead_;  ///< what the running probe may meet, then the same for each halving
-  bool crowded_ = false;      ///< they are too many for that
-  double elements_ = 0.0;
+  std::vector<Ahead> ahead_;           ///< what rays from the facet in hand may meet
+  std::vector<std::uint32_t> listed_;  ///< of these: what its first piece may meet, then each halving's
+  bool crowded_ = false;               ///< they are too many for that
+  double elements_ = 0.0;              ///< for all facets looked from
 };
+
+/// The wishes of every `stride`-th facet; none when they pass the budget.
+std::optional<std::vector<SizeSample>> wishes_within_budget(Search& search, std::size_t stride) {
+  struct Found {
+    std::vector<SizeSample> samples;
+    double elements = 0.0;
+  };
+  const std::size_t count = (search.model.facets().triangles.size() + stride - 1) / stride;
+  std::vector<SizeSample> all;
+  double elements = 0.0;
+  for (std::size_t begin = 0; begin < count; begin += kFacetsAQuestion) {
+    if (search.options.cancelled && search.options.cancelled()) throw Cancelled();
+    const std::size_t size = std::min(kFacetsAQuestion, count - begin);
+    const std::vector<Found> found =
+        map_blocks<Found>(size, kFacetsATask, [&](std::size_t first, std::size_t last) {
+          WallSizer sizer(search);
+          for (std::size_t i = first; i < last; ++i) sizer.look_from((begin + i) * stride);
+          return Found{sizer.take(), sizer.elements()};
+        });
+    for (const Found& block : found) {
+      all.insert(all.end(), block.samples.begin(), block.samples.end());
+      elements += block.elements;
+    }
+    if (search.given_up || search.is_over(elements)) return std::nullopt;
+  }
+  return all;
+}
 
 }  // namespace
 
@@ -275,12 +356,16 @@ std::vector<SizeSample> wall_sizes(const Model& model, const WallOptions& option
   WallOptions share = options;
   share.budget *= 2.0 / kStride;
   const std::vector<Vec3> normals = sheet_normals(model);
+  const std::vector<std::vector<int>> neighbours = faces_of_edges(model);
+  const auto search = [&](const WallOptions& with, std::size_t stride) {
+    Search all{model, with, normals, neighbours};
+    return wishes_within_budget(all, stride);
+  };
   for (;; tried.min_size *= 2.0) {
     if (tried.min_size >= options.size) return {};
     share.min_size = tried.min_size;
-    if (model.facets().triangles.size() > kCountless && !WallSizer(model, share, normals).run(kStride))
-      continue;
-    if (auto samples = WallSizer(model, tried, normals).run()) return *std::move(samples);
+    if (model.facets().triangles.size() > kCountless && !search(share, kStride)) continue;
+    if (auto samples = search(tried, 1)) return *std::move(samples);
   }
 }
 
