@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <exception>
 #include <optional>
 #include <string>
 #include <utility>
@@ -65,11 +66,10 @@ std::optional<MeshedFile> without_smaller(const std::filesystem::path& path, Rea
     for (int dim = 0; dim <= 3; ++dim) same = same && file.model.count(dim) == before.count(dim);
     if (same) return std::nullopt;
     return mesh_read(std::move(file), mesh);
-  } catch (const InputError&) {
-    return std::nullopt;
-  } catch (const ModelError&) {
-    return std::nullopt;
-  } catch (const LimitError&) {
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const std::exception& error) {  // the first mesh is not lost for it
+    observer.note(fmt::format("which failed: {}", error.what()));
     return std::nullopt;
   }
 }

@@ -23,8 +23,8 @@ namespace octet {
 
 /// Where no size is asked for: the part's default size, with octants that suit its commonest radius. When
 /// nothing else is asked for either, meshes of few elements get more of them on a circle (20, 16 or 13, while
-/// they stay below 40 000 by estimate), and a size that promises fewer than 2 000 or more than 500 000 elements
-/// is scaled to the nearer of them, whatever the radius. Other options are returned as they are.
+/// they stay below 40 000 by estimate), and a size that promises fewer than 2 000 or more than 500 000
+/// elements is scaled to the nearer of them, whatever the radius. Other options are returned as they are.
 [[nodiscard]] MeshOptions with_default_size(const Model& model, const MeshOptions& options);
 
 }  // namespace octet

@@ -23,7 +23,7 @@ namespace {
 constexpr double kFacing = 0.7071;
 
 /// Facets that one task looks from, and that all do between two questions whether to go on.
-constexpr std::size_t kFacetsATask = 64, kFacetsAQuestion = 4096;
+constexpr std::size_t kFacetsATask = 64, kFacetsAQuestion = 2048;
 
 /// Tetrahedra in the cube of their mean edge length, as the octree makes them (12 in an octant).
 constexpr double kTetsPerCube = 9.4;

@@ -89,8 +89,8 @@ void pass_provenance(auto& stream, auto& provenance) {
 }
 
 void pass_parts(auto& stream, auto& parts) {
-  auto& [vertices, edges, faces, regions, curves, surfaces, trims, facets, unit, accuracy, taken_away, apart, notes,
-         faults, provenance, whole_tag] = parts;
+  auto& [vertices, edges, faces, regions, curves, surfaces, trims, facets, unit, accuracy, taken_away, apart,
+         notes, faults, provenance, whole_tag] = parts;
   pass_entities(stream, vertices);
   pass_entities(stream, edges);
   pass_entities(stream, faces);
