@@ -109,17 +109,16 @@ MeshedFile mesh_file(const std::filesystem::path& path, const ReadOptions& readi
   const StageTime first_time = clock.lap("other tries");
   std::optional<MeshedFile> second = without_smaller(path, reading, mesh, smallest, first.model, observer);
   const StageTime second_time = clock.lap("other tries");
-  if (!second || second->result.report.faults.size() >= first.result.report.faults.size()) {
+  if (!second || faults_of_mesh(*second) > 0) {
     add_other_try(first.result.report.times, second_time);
     return first;
   }
   add_other_try(second->result.report.times, first_time);
   second->model = with_first_note(
       second->model,
-      fmt::format(
-          "what is smaller than {:.4g} mm was taken away, as with --defeature {:.4g}: with it the mesh "
-          "had {} faults, and the file is accurate to {:.4g} mm by its own word",
-          smallest, smallest, faults_of_mesh(first), first.model.parts().accuracy));
+      fmt::format("what is smaller than {:.4g} mm was taken away, as with --defeature {}: with it the mesh "
+                  "had {} faults, and the file is accurate to {:.4g} mm by its own word",
+                  smallest, smallest, faults_of_mesh(first), first.model.parts().accuracy));
   return *std::move(second);
 }
 

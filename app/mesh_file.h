@@ -18,7 +18,7 @@ struct MeshedFile {
 /// Reads the part and meshes it. Where the mesh has faults that reading did not have, of a part whose STEP
 /// file states how near places are one and the same, and no smallest feature is given: once more without the
 /// edges, faces, spikes and slits that are smaller than that, or than 1e-5 of the diagonal. That mesh is
-/// taken when it has fewer faults; the first note of the model says so. `mesh`: as mesh_part().
+/// taken when it has none; the first note of the model says so. `mesh`: as mesh_part().
 /// Throws what read_part() and `mesh` throw.
 [[nodiscard]] MeshedFile mesh_file(const std::filesystem::path& path, const ReadOptions& reading,
                                    const std::function<MeshResult(const Model&)>& mesh, Observer& observer);

@@ -31,8 +31,8 @@ void add_reading_options(CLI::App& command, ReadOptions& reading) {
           "--defeature", reading.smallest_feature,
           "Take away edges shorter, and faces, spikes and slits narrower than this (mm) where the part "
           "stays closed and keeps its volume to a twentieth, and list them (default: what rounding leaves; "
-          "where "
-          "a mesh has faults, what the STEP file says it is not accurate to)")
+          "if a "
+          "mesh has faults, also what is below the accuracy that the STEP file states)")
       ->type_name("LENGTH")
       ->check(CLI::PositiveNumber);
   command

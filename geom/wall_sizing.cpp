@@ -2,6 +2,8 @@
 // Facets are halved until they are no longer than the thickness they see along their normals.
 #include "geom/wall_sizing.h"
 
+#include <oneapi/tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -133,13 +135,18 @@ class WallSizer {
     Wisher who;
   };
 
-  /// A facet that rays may meet: the ray from p meets it where (p - corner) times u, v and their sum are
-  /// within 0 and 1, after (p - corner) times `length`.
+  /// A facet as the rays of one direction see it: the ray from p meets it where (p - corner) times u, v and
+  /// their sum are within 0 and 1, after (p - corner) times `length`.
+  struct Target {
+    Vec3 corner, u, v, length;
+  };
+
+  /// A facet that rays may meet.
   struct Ahead {
     std::uint32_t facet;
     bool is_sheet;  ///< it faces the probe and is of no neighbouring face
     Box3 box;
-    Vec3 corner, u, v, length;
+    Target target;
   };
 
   [[nodiscard]] double reach_of(const Probe& probe) const { return octants_across(probe.n) * options_.size; }
@@ -172,7 +179,6 @@ class WallSizer {
       Ahead& facet = ahead_.emplace_back();
       facet.facet = t;
       facet.is_sheet = is_sheet(t, probe);
-      facet.corner = c[0];
       for (const Vec3& corner : c) facet.box.add(corner);
       any = any || facet.is_sheet;
       return false;
@@ -183,14 +189,9 @@ class WallSizer {
 
   void list_ahead(const Vec3& direction) {
     for (std::size_t n = 0; n < ahead_.size(); ++n) {
-      Ahead& facet = ahead_[n];
-      const auto [a, b, c] = facet_corners(facets_, facet.facet);
-      const Vec3 e1 = b - a, e2 = c - a;
-      const double det = e1.dot(direction.cross(e2));
-      if (det == 0.0) continue;  // rays miss it
-      facet.u = direction.cross(e2) / det;
-      facet.v = e1.cross(direction) / det;
-      facet.length = e1.cross(e2) / det;
+      const std::optional<Target> target = target_of(ahead_[n].facet, direction);
+      if (!target) continue;
+      ahead_[n].target = *target;
       listed_.push_back(static_cast<std::uint32_t>(n));
     }
   }
@@ -224,11 +225,8 @@ class WallSizer {
     for (std::size_t n = first; n < listed_.size() && !crowded_; ++n) {
       elements_ += kElementsPerFacet;
       const Ahead& facet = ahead_[listed_[n]];
-      const Vec3 from = p - facet.corner;
-      const double u = from.dot(facet.u), v = from.dot(facet.v);
-      if (!(u >= kRim && v >= kRim && u + v <= 1.0 - kRim)) continue;
-      const double s = from.dot(facet.length);
-      if (!(s > model_.tolerance() && s < nearest)) continue;
+      const double s = along(p, facet.target);
+      if (s >= nearest) continue;
       nearest = s;
       is_sheet = facet.is_sheet;
     }
@@ -240,7 +238,8 @@ class WallSizer {
     double nearest = kNoSize;
     model_.bvh().visit_segment(p, p + way, [&](std::uint32_t t) {
       elements_ += kElementsPerFacet;
-      const double s = ends(t, probe) ? along(p, probe.direction, t) : kNoSize;
+      const std::optional<Target> target = ends(t, probe) ? target_of(t, probe.direction) : std::nullopt;
+      const double s = target ? along(p, *target) : kNoSize;
       if (s > nearest || (s == nearest && t > facet)) return;
       nearest = s;
       facet = t;
@@ -248,14 +247,22 @@ class WallSizer {
     return nearest;
   }
 
-  /// Length along the ray to a facet, infinite when it is missed or starts there.
-  [[nodiscard]] double along(const Vec3& p, const Vec3& direction, std::uint32_t t) const {
+  /// None where the facet stands on edge.
+  [[nodiscard]] std::optional<Target> target_of(std::uint32_t t, const Vec3& direction) const {
     const auto [a, b, c] = facet_corners(facets_, t);
-    const Vec3 e1 = b - a, e2 = c - a, h = direction.cross(e2), s = p - a, q = s.cross(e1);
+    const Vec3 e1 = b - a, e2 = c - a, h = direction.cross(e2);
     const double det = e1.dot(h);
-    if (det == 0.0) return kNoSize;
-    const double u = s.dot(h) / det, v = direction.dot(q) / det, length = e2.dot(q) / det;
-    return u >= kRim && v >= kRim && u + v <= 1.0 - kRim && length > model_.tolerance() ? length : kNoSize;
+    if (det == 0.0) return std::nullopt;
+    return Target{a, h / det, e1.cross(direction) / det, e1.cross(e2) / det};
+  }
+
+  /// Length along the ray to a facet, infinite when it is missed or starts there.
+  [[nodiscard]] double along(const Vec3& p, const Target& target) const {
+    const Vec3 from = p - target.corner;
+    const double u = from.dot(target.u), v = from.dot(target.v);
+    if (!(u >= kRim && v >= kRim && u + v <= 1.0 - kRim)) return kNoSize;
+    const double length = from.dot(target.length);
+    return length > model_.tolerance() ? length : kNoSize;
   }
 
   /// The facets ahead of the triangle are among those from number `from` on.

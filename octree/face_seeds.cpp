@@ -22,12 +22,11 @@ struct FacePoint {
   double size;
 };
 
-/// Puts points on faces: among those of `state`, or in a list of its own.
+/// Puts points on faces into a list of its own, and reads `state` alone: several can be beside one another.
 class FaceSeeder {
  public:
-  explicit FaceSeeder(SeedState& state) : FaceSeeder(state, &state) {}
-  /// One that reads `state` alone, and can be beside others: what it puts is in own().
-  [[nodiscard]] static FaceSeeder beside(const SeedState& state) { return {state, nullptr}; }
+  explicit FaceSeeder(const SeedState& state)
+      : state_(state), model_(state.model), own_grid_(state.tree.origin(), state.tree.root_size()) {}
 
   /// A vertex or edge that comes close to a face it does not bound gets a partner on that face.
   void match_vertices_and_edges() {
@@ -68,12 +67,6 @@ class FaceSeeder {
   [[nodiscard]] const std::vector<FacePoint>& own() const { return own_; }
 
  private:
-  FaceSeeder(const SeedState& state, SeedState* sink)
-      : state_(state),
-        sink_(sink),
-        model_(state.model),
-        own_grid_(state.tree.origin(), state.tree.root_size()) {}
-
   void match(std::uint32_t point, const Vec3& tangent) {
     const ModelRef on = state_.seeds.points.on[point];
     const Vec3 a = state_.seeds.points.position[point];
@@ -85,10 +78,6 @@ class FaceSeeder {
   }
 
   void add(const FacePoint& a) {
-    if (sink_ != nullptr) {
-      sink_->add(a.p, model_face(a.face), a.size);
-      return;
-    }
     own_grid_.add(static_cast<std::uint32_t>(own_.size()), a.p, a.size);
     own_.push_back(a);
   }
@@ -117,7 +106,6 @@ class FaceSeeder {
   }
 
   const SeedState& state_;
-  SeedState* sink_;  ///< `state_`, or null
   const Model& model_;
   std::vector<FacePoint> own_;
   PointGrid own_grid_;
@@ -223,6 +211,9 @@ void seed_model_faces(SeedState& state, const std::vector<OctantEdgeCut>& cuts,
   const auto ask = [&] {
     if (cancelled && cancelled()) throw Cancelled();
   };
+  const auto add_all = [&](const std::vector<FacePoint>& points) {
+    for (const FacePoint& a : points) state.add(a.p, model_face(a.face), a.size);
+  };
   FaceSeeder seeder(state);
   seeder.match_vertices_and_edges();
   seeder.add_rings();
@@ -234,17 +225,17 @@ void seed_model_faces(SeedState& state, const std::vector<OctantEdgeCut>& cuts,
     if (spacings[i] > 0.0 && (!blocks || blocks->is_large(spacings[i])))
       seeder.offer(cuts[i].hit, spacings[i]);
   }
+  add_all(seeder.own());
   for (std::size_t colour = 0; blocks && colour < 8; ++colour) {
     ask();
     const std::vector<std::vector<CutRun>>& own = blocks->of_colour(colour);
     const auto placed = map_blocks<std::vector<FacePoint>>(own.size(), 1, [&](std::size_t b, std::size_t) {
-      FaceSeeder beside = FaceSeeder::beside(state);
+      FaceSeeder beside(state);
       for (const CutRun& run : own[b])
         for (std::size_t i = run.first; i < run.last; ++i) beside.offer(cuts[i].hit, spacings[i]);
       return beside.own();
     });
-    for (const std::vector<FacePoint>& points : placed)
-      for (const FacePoint& a : points) state.add(a.p, model_face(a.face), a.size);
+    for (const std::vector<FacePoint>& points : placed) add_all(points);
   }
 }
 

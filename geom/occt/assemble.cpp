@@ -112,7 +112,8 @@ class OpenShells {
     for (std::size_t i = 0; i < tree.size(); ++i) {
       if (!is_leaf[i] || !tree[i].solids.empty() || !tree[i].regions.empty()) continue;
       if (!is_open_part(document.tree[i].shape, as_read_, parts_.provenance)) continue;
-      tell(document.tree[i].shape, tree[i].name.empty() ? "a part without a name" : '"' + tree[i].name + '"');
+      const TopoDS_Shape& part = document.tree[i].shape;
+      tell(part, sewn(part), tree[i].name.empty() ? "a part without a name" : '"' + tree[i].name + '"');
     }
   }
 
@@ -120,18 +121,26 @@ class OpenShells {
   void tell_sewn() {
     for (const TopoDS_Shape& shell : healed_.open)
       if (!is_told(shell))
-        tell(shell, fmt::format("a shell of {} faces", sub_shapes(shell, TopAbs_FACE).Extent()));
+        tell(shell, shell, fmt::format("a shell of {} faces", sub_shapes(shell, TopAbs_FACE).Extent()));
   }
 
  private:
-  void tell(const TopoDS_Shape& shape, const std::string& name) {
+  /// A part's faces sewn by themselves: where sewing all of them closed nothing, what it made was not kept.
+  [[nodiscard]] TopoDS_Shape sewn(const TopoDS_Shape& part) const {
+    std::vector<TopoDS_Shape> faces;
+    for (TopExp_Explorer it(part, TopAbs_FACE); it.More(); it.Next()) faces.push_back(it.Current());
+    const Sewn result = sew_faces(faces, sewing_);
+    return result.shape.IsNull() ? part : result.shape;
+  }
+
+  void tell(const TopoDS_Shape& shape, const TopoDS_Shape& sewn, const std::string& name) {
     if (runs_within(shape, healed_.solids)) {
       parts_.notes.push_back(name + " is surfaces inside of solids (as threads are drawn) and is left out");
       return;
     }
     for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next())
       told_.insert(number_as_read(2, it.Current(), as_read_, healed_));
-    Fault fault = opening_of(shape, as_read_, healed_, sewing_);
+    Fault fault = opening_of(shape, sewn, as_read_, healed_, sewing_);
     fault.entity = {};
     fault.cause = name + " is left out: it bounds no volume: " + fault.cause;
     parts_.faults.push_back(fault);

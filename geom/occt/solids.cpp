@@ -93,16 +93,6 @@ std::vector<TopoDS_Shape> open_shells(const Sewn& sewn) {
   return shells;
 }
 
-/// The openings that --cap would close: of the shape as it is, or of its faces sewn where those of them that
-/// meet share no edges, as in solids that a translator wrote face by face.
-std::size_t cap_count(const TopoDS_Shape& shape, const SewOptions& tried) {
-  if (const auto caps = planar_caps(shape, tried.tolerance); !caps.empty()) return caps.size();
-  std::vector<TopoDS_Shape> faces;
-  for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next()) faces.push_back(it.Current());
-  const Sewn sewn = sew_faces(faces, tried);
-  return sewn.shape.IsNull() ? 0 : planar_caps(sewn.shape, sewn.tolerance).size();
-}
-
 }  // namespace
 
 ShapeMaps::ShapeMaps(const TopoDS_Shape& shape) {
@@ -126,8 +116,8 @@ int number_as_read(int dim, const TopoDS_Shape& shape, const ShapeMaps& as_read,
   return 0;
 }
 
-Fault opening_of(const TopoDS_Shape& shape, const ShapeMaps& as_read, const SolidSet& set,
-                 const SewOptions& tried) {
+Fault opening_of(const TopoDS_Shape& shape, const TopoDS_Shape& sewn, const ShapeMaps& as_read,
+                 const SolidSet& set, const SewOptions& tried) {
   Fault fault;
   fault.cause = "it holds no solid and no closed shell";
   const std::vector<TopoDS_Edge> edges = free_edges(shape);
@@ -153,8 +143,8 @@ Fault opening_of(const TopoDS_Shape& shape, const ShapeMaps& as_read, const Soli
                                edges.size(), widest);
     fault.advice = advice_for(widest, diagonal_of(box_of(shape)), tried.tolerance);
   }
-  if (const std::size_t caps = tried.cap ? 0 : cap_count(shape, tried); caps > 0)
-    fault.advice += fmt::format("; {} opening(s) lie in planes: --cap closes such", caps);
+  if (const auto caps = tried.cap ? std::vector<Cap>{} : planar_caps(sewn, tried.tolerance); !caps.empty())
+    fault.advice += fmt::format("; {} opening(s) lie in planes: --cap closes such", caps.size());
   return fault;
 }
 
@@ -186,8 +176,8 @@ SolidSet collect_solids(const TopoDS_Shape& shape, const ShapeMaps& as_read, con
     set.open = open_shells(sewn);
   }
   if (set.solids.empty()) {
-    const Fault opening =
-        opening_of(sewn.shape.IsNull() ? shape : sewn.shape, as_read, set, {sewn.tolerance, sewing.cap});
+    const TopoDS_Shape& open = sewn.shape.IsNull() ? shape : sewn.shape;
+    const Fault opening = opening_of(open, open, as_read, set, {sewn.tolerance, sewing.cap});
     std::string done;
     if (loose.size() > 1)
       done = fmt::format(" with its {} faces sewn within {:.3g} mm", loose.size(), sewn.tolerance);

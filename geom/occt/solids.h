@@ -39,9 +39,10 @@ struct SolidSet {
 
 /// Why `shape`, a part of the shape as read or of what became of that, bounds no volume: of its free edges
 /// the one that is farthest from all others, numbered as read. The advice is what of sewing with
-/// more and of capping may help, beyond what has been tried.
-[[nodiscard]] Fault opening_of(const TopoDS_Shape& shape, const ShapeMaps& as_read, const SolidSet& set,
-                               const SewOptions& tried);
+/// more and of capping may help, beyond what has been tried. `sewn`: its faces sewn, for what could be
+/// capped; where faces that meet share no edges the shape itself has no loops about its openings.
+[[nodiscard]] Fault opening_of(const TopoDS_Shape& shape, const TopoDS_Shape& sewn, const ShapeMaps& as_read,
+                               const SolidSet& set, const SewOptions& tried);
 
 /// Adds to the set what was closed so, and says it in a note.
 void add_caps(const std::vector<Cap>& caps, const ShapeMaps& as_read, SolidSet& set);

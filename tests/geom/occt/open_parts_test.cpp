@@ -154,8 +154,8 @@ TEST(OpenParts, NoToleranceIsAdvisedThatHasBeenTried) {
   faces.push_back(loose_faces({0, 0, 0.002}, 0).back());
   const TopoDS_Shape shape = compound_of(faces);
   const SolidSet none{{}, new BRepTools_History(), {}};
-  EXPECT_NE(opening_of(shape, ShapeMaps(shape), none, {0.0}).advice.find("--sew"), std::string::npos);
-  EXPECT_EQ(opening_of(shape, ShapeMaps(shape), none, {0.05}).advice, "close the shell there");
+  EXPECT_NE(opening_of(shape, shape, ShapeMaps(shape), none, {0.0}).advice.find("--sew"), std::string::npos);
+  EXPECT_EQ(opening_of(shape, shape, ShapeMaps(shape), none, {0.05}).advice, "close the shell there");
 }
 
 }  // namespace
