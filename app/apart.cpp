@@ -255,6 +255,7 @@ MeshResult mesh_apart(const Model& model, const MeshOptions& options, Observer& 
   const MeshOptions all = with_default_size(model, options);
   MeshOptions each = all;
   each.target_elements = 0.0;
+  each.order = 1;
   MeshResult whole;
   whole.report.status = MeshStatus::kComplete;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -284,6 +285,7 @@ Acceptance accept_apart(const Mesh& mesh, const Model& model) {
   Acceptance whole;
   for (std::size_t b = 0; b < bodies.size(); ++b)
     append_claims(bodies[b], accept_mesh(meshes[b], bodies[b]), whole);
+  for (Claim& claim : accept_second_order(mesh, model)) whole.claims.push_back(std::move(claim));
   return whole;
 }
 

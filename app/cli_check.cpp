@@ -17,9 +17,7 @@ namespace octet {
 
 int run_check(const CheckCommand& command) {
   const LengthUnit unit = length_unit(command.unit.empty() ? "mm" : command.unit);
-  Mesh mesh = read_mesh(command.mesh);
-  // A factor of exactly 1 leaves the coordinates as they are.
-  for (Vec3& p : mesh.points) p *= unit.millimetres;
+  const Mesh mesh = read_mesh(command.mesh, unit.millimetres);
   const Model model = read_part(command.part, command.reading);
   const Acceptance acceptance = is_meshed_apart(model) ? accept_apart(mesh, model) : accept_mesh(mesh, model);
   const RunNames names{command.part.string(), command.mesh.string(), unit.name};

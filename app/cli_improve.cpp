@@ -34,6 +34,7 @@ ImproveOptions improve_options(const ImproveCommand& command, const LengthUnit& 
       throw InputError(fmt::format("--size must be a positive length, not {}", *command.size));
     options.size = *command.size * unit.millimetres;
   }
+  options.order = command.order;
   options.threads =
       command.threads.value_or(static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
   if (options.threads < 1)
@@ -55,9 +56,7 @@ int run_improve(const ImproveCommand& command) {
   Console console(console_options);
   const tbb::global_control most_threads(tbb::global_control::max_allowed_parallelism,
                                          static_cast<std::size_t>(options.threads));
-  Mesh mesh = read_mesh(command.mesh);
-  // A factor of exactly 1 leaves the coordinates as they are.
-  for (Vec3& p : mesh.points) p *= unit.millimetres;
+  Mesh mesh = read_mesh(command.mesh, unit.millimetres);
   const Model model = read_part(command.part, command.reading);
   for (const std::string& note : model.notes()) console.note(note);
 

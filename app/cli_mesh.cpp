@@ -47,6 +47,7 @@ MeshOptions mesh_options(const MeshCommand& command, const LengthUnit& unit) {
     throw InputError(fmt::format("--threads must be at least 1, not {}", options.threads));
   options.finalize = command.finalize;
   options.scope = command.scope;
+  options.order = command.order;
   return options;
 }
 

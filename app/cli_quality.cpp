@@ -166,12 +166,11 @@ int run_quality(const QualityCommand& command) {
   const LengthUnit unit = length_unit(command.unit.empty() ? "mm" : command.unit);
   if (command.size && !(*command.size > 0.0 && std::isfinite(*command.size)))
     throw InputError(fmt::format("the size must be a positive number, not {}", *command.size));
-  Mesh mesh = read_mesh(command.mesh);
+  const Mesh mesh = read_mesh(command.mesh, unit.millimetres);
   const std::string name = command.mesh.string();
   if (mesh.tets.empty()) throw InputError(name + " has no tetrahedra");
   if (const std::string fault = check_mesh_soundness(mesh); !fault.empty())
     throw InputError(fmt::format("{} is no sound classified mesh: {}", name, fault));
-  for (Vec3& p : mesh.points) p *= unit.millimetres;
   const std::vector<double> size = sizes_asked_for(command, mesh, unit);
   const QualityTable table = quality_table(mesh, size, command.worst);
   if (command.json)

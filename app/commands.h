@@ -23,6 +23,7 @@ struct MeshCommand {
   std::optional<double> max_elements;
   bool finalize = true;
   FinalizeScope scope = FinalizeScope::kAll;
+  int order = 1;  ///< of the elements
   bool quiet = false, verbose = false;
 };
 
@@ -59,6 +60,7 @@ struct ImproveCommand {
   std::string unit;            ///< of the mesh files' coordinates; empty: millimetre
   std::string format;          ///< empty: by the output's suffix
   std::optional<int> threads;  ///< none: one per core
+  int order = 0;               ///< of the elements; 0: as they are
   bool quiet = false, verbose = false;
 };
 

@@ -10,6 +10,7 @@
 
 #include "app/apart.h"
 #include "app/measures.h"
+#include "app/second_order.h"
 #include "app/stage_clock.h"
 #include "finalize/finalize.h"
 #include "mesh/local_size.h"
@@ -36,6 +37,8 @@ void require_claims(const Acceptance& acceptance, const Model& model) {
 }
 
 MeshResult improve(Mesh mesh, const Model& model, const ImproveOptions& options, Observer& observer) {
+  const bool second_order = options.order == 2 || (options.order == 0 && !mesh.mid.empty());
+  mesh.mid = {};  // made anew, where it is wanted, on the better mesh
   MeshResult result;
   StageClock clock;
   observer.stage("acceptance of the input", 0.0);
@@ -65,6 +68,7 @@ MeshResult improve(Mesh mesh, const Model& model, const ImproveOptions& options,
   measure_mesh(mesh, model, result.report);
   result.report.times.push_back(clock.lap("acceptance"));
   result.mesh = std::move(mesh);
+  if (second_order) raise_order(result, model, observer);
   return result;
 }
 
@@ -90,6 +94,8 @@ MeshResult improve_mesh(Mesh mesh, const Model& model, const ImproveOptions& opt
     throw InputError(fmt::format("the number of threads must be at least 1, not {}", options.threads));
   if (!std::isfinite(options.size) || options.size < 0.0)
     throw InputError(fmt::format("the size must be a positive number, not {}", options.size));
+  if (options.order < 0 || options.order > 2)
+    throw InputError(fmt::format("the order of elements must be 1 or 2, not {}", options.order));
   MeshResult result;
   tbb::task_arena arena(options.threads);
   arena.execute([&] { result = improve(std::move(mesh), model, options, observer); });

@@ -9,12 +9,14 @@ namespace octet {
 struct ImproveOptions {
   double size = 0.0;  ///< edge length wished for everywhere (millimetre); 0: as the mesh is around each place
   int threads = 1;    ///< same bytes for any number
+  int order = 0;      ///< of the elements; 0: as they are
 };
 
 /// Improves the shapes of a mesh of the model on the exact geometry (finalize/finalize.h), and accepts it
 /// like a mesh of our own. Seams and degenerate edges, which other meshers take for edges of the part, are
-/// first given to their faces. InputError when the mesh is no sound classified mesh of this model: the first
-/// claim that does not hold, and where. Throws what mesh_part throws.
+/// first given to their faces. Nodes in the middles of edges are put on the CAD anew. InputError when the
+/// mesh is no sound classified mesh of this model: the first claim that does not hold, and where. Throws what
+/// mesh_part throws.
 [[nodiscard]] MeshResult improve_mesh(Mesh mesh, const Model& model, const ImproveOptions& options,
                                       Observer& observer);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The command line: parse, run, and turn every way to end into one exit code and one line.
+#include <fmt/format.h>
 #include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <cstdio>
 #include <exception>
@@ -63,6 +65,15 @@ int guarded(const Run& run) {
   }
 }
 
+void add_order(CLI::App& sub, int& order, const char* none_given) {
+  sub.add_option("--order", order,
+                 fmt::format("Order of the elements: 1, or 2, with edges that follow the curved faces and no "
+                             "element turned over (default: {})",
+                             none_given))
+      ->check(CLI::Range(1, 2).description(""))
+      ->type_name("N");
+}
+
 void add_mesh(CLI::App& app, MeshCommand& mesh) {
   CLI::App& sub = *app.add_subcommand("mesh", "Mesh a CAD part: classified tetrahedra");
   sub.add_option("part", mesh.part, "STEP, IGES or BREP file")->required()->type_name("FILE");
@@ -70,6 +81,7 @@ void add_mesh(CLI::App& app, MeshCommand& mesh) {
       ->required()
       ->type_name("FILE");
   add_size_options(sub, mesh.sizes);
+  add_order(sub, mesh.order, "1");
   sub.add_option("--unit", mesh.unit, kUnitHelp)->type_name("UNIT");
   sub.add_option("--format", mesh.format,
                  "msh41, msh41-ascii, msh22, msh22-ascii, vtu, inp (default: by suffix)")
@@ -114,6 +126,7 @@ void add_adapt(CLI::App& app, MeshCommand& adapt) {
       ->required()
       ->type_name("FILE");
   add_size_options(sub, adapt.sizes);
+  add_order(sub, adapt.order, "1");
   sub.get_option("--field")->required()->description(
       "Sizes wanted: CSV with one size a line, for each tetrahedron or each node of the mesh in its order; "
       "or as "
@@ -196,6 +209,7 @@ void add_improve(CLI::App& app, ImproveCommand& improve) {
   sub.add_option("--format", improve.format,
                  "msh41, msh41-ascii, msh22, msh22-ascii, vtu, inp (default: by suffix)")
       ->type_name("FORMAT");
+  add_order(sub, improve.order, "the mesh's");
   sub.add_option("--threads", improve.threads,
                  "Threads; any number gives the same bytes (default: all cores)")
       ->type_name("N");

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numeric>
 
 namespace octet {
 
@@ -17,17 +18,28 @@ void measure_mesh(const Mesh& mesh, const Model& model, MeshReport& report) {
   std::vector<double> area_on(static_cast<std::size_t>(model.count(2)) + 1, 0.0);
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const auto& t = mesh.triangles[i];
-    const double area = triangle_area(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);
-    report.area += area;
-    area_on[static_cast<std::size_t>(mesh.triangle_on[i])] += area;
+    area_on[static_cast<std::size_t>(mesh.triangle_on[i])] +=
+        triangle_area(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);
   }
   for (int r = 1; r <= model.count(3); ++r) report.cad_volume += model.region(r).volume;
+  set_areas(area_on, model, report);
+}
+
+void set_areas(const std::vector<double>& area_on, const Model& model, MeshReport& report) {
+  report.area = std::accumulate(area_on.begin(), area_on.end(), 0.0);
+  report.cad_area = report.area_off = 0.0;
   for (int f = 1; f <= model.count(2); ++f) {
     const auto& region = model.face(f).region;
     if (region[0] == region[1]) continue;
     report.cad_area += model.face(f).area;
     report.area_off += std::abs(area_on[static_cast<std::size_t>(f)] - model.face(f).area);
   }
+}
+
+std::optional<Farthest> farthest_from_cad(const MeshReport& report) {
+  if (!report.curve) return report.acceptance.farthest();
+  const std::optional<OffCad>& off = report.curve->farthest;
+  return off ? std::optional(Farthest{off->entity, off->place, off->distance}) : std::nullopt;
 }
 
 std::string describe(const FinalizeReport& report) {

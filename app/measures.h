@@ -2,7 +2,9 @@
 // What the report tells of a mesh beside its claims.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "app/mesh_part.h"
 #include "finalize/finalize.h"
@@ -11,6 +13,12 @@ namespace octet {
 
 /// Fills counts, shapes, volume and area of the mesh and of the CAD.
 void measure_mesh(const Mesh& mesh, const Model& model, MeshReport& report);
+
+/// Fills what the report has of areas, from those of the mesh's triangles by face tag.
+void set_areas(const std::vector<double>& area_on, const Model& model, MeshReport& report);
+
+/// Where the CAD is farthest from the mesh; of a mesh of second order, where its curved elements are from it.
+[[nodiscard]] std::optional<Farthest> farthest_from_cad(const MeshReport& report);
 
 /// One line.
 [[nodiscard]] std::string describe(const FinalizeReport& report);

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "base/fault.h"
 #include "base/observer.h"
 #include "classify/acceptance.h"
+#include "finalize/curve.h"
 #include "finalize/finalize.h"
 #include "geom/model.h"
 #include "geom/size_plan.h"
@@ -29,6 +31,7 @@ struct MeshOptions : SizeControl {
   bool finalize = true;
   std::array<double, 3> shift = kRootShift;   ///< of the part in the lattice: octree/root.h
   FinalizeScope scope = FinalizeScope::kAll;  ///< of finalization
+  int order = 1;  ///< of the elements: 2 gives each edge a node in its middle, on the curved faces
 };
 
 /// What a run came to.
@@ -57,7 +60,8 @@ struct MeshReport {
   double area_off = 0.0;  ///< sum of the faces' |area - CAD's area|
   std::size_t nodes = 0, tets = 0, triangles = 0;
   std::size_t attribute_points = 0, rounds = 0;
-  std::size_t template_tets = 0;  ///< of the tetrahedra: emitted from octant templates
+  std::size_t template_tets = 0;     ///< of the tetrahedra: emitted from octant templates
+  std::optional<CurveReport> curve;  ///< of a mesh of second order, whose volume and area are the curved ones
   std::vector<StageTime> times;
 };
 

@@ -22,6 +22,7 @@
 #include "app/narrow_gaps.h"
 #include "app/octant_sizes.h"
 #include "app/own_frame.h"
+#include "app/second_order.h"
 #include "app/size_shortfall.h"
 #include "app/stage_clock.h"
 #include "app/target_elements.h"
@@ -544,6 +545,8 @@ StageTime other_tries(StageTime whole, const std::vector<StageTime>& own) {
 MeshResult mesh_part(const Model& model, const MeshOptions& options, Observer& observer) {
   if (options.threads < 1)
     throw InputError(fmt::format("the number of threads must be at least 1, not {}", options.threads));
+  if (options.order != 1 && options.order != 2)
+    throw InputError(fmt::format("the order of elements must be 1 or 2, not {}", options.order));
   const bool apart = is_meshed_apart(model);
   MeshResult result;
   int makings = 0;
@@ -563,6 +566,7 @@ MeshResult mesh_part(const Model& model, const MeshOptions& options, Observer& o
     result = options.target_elements > 0.0 ? mesh_to_target(frame.model(), frame.options(), mesh_all)
                                            : mesh_by_default(frame.model(), frame.options(), mesh);
   });
+  if (options.order == 2) arena.execute([&] { raise_order(result, model, observer); });
   MeshReport& report = result.report;
   if (makings > 1)
     report.times.insert(report.times.begin(), other_tries(clock.lap("other tries"), report.times));

@@ -2,9 +2,11 @@
 // Keys are stable: tests/corpus.py and users' scripts read them.
 #include "app/report_json.h"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/measures.h"
 #include "app/region_measures.h"
 #include "app/self_contact.h"
 
@@ -81,6 +83,23 @@ Json shortfall_json(const Model& model, const SizeShortfall& shortfall) {
   return {{"edges", shortfall.edges}, {"worst", worst}};
 }
 
+Json curve_json(const Model& model, const CurveReport& curve) {
+  constexpr std::size_t kListed = 10;
+  Json held = Json::array();
+  for (std::size_t i = 0; i < std::min(kListed, curve.held.size()); ++i) {
+    const OffCad& edge = curve.held[i];
+    held.push_back({{"dim", edge.entity.dim},
+                    {"tag", edge.entity.tag},
+                    {"entity", model.describe(edge.entity)},
+                    {"place", vec_json(edge.place)},
+                    {"distance", edge.distance}});
+  }
+  return {{"curved_edges", curve.curved},
+          {"held_edges", curve.held.size()},
+          {"farthest_held", held},
+          {"least_scaled_jacobian", curve.least_scaled_jacobian}};
+}
+
 Json regions_json(const Model& model, const Acceptance& acceptance) {
   Json json = Json::array();
   for (const RegionMeasure& region : region_measures(acceptance, model))
@@ -100,16 +119,18 @@ std::string mesh_report_json(const RunNames& names, const Model& model, const Me
   json["nodes"] = report.nodes;
   json["tets"] = report.tets;
   json["triangles"] = report.triangles;
+  json["order"] = report.curve ? 2 : 1;
   json["template_tets"] = report.template_tets;
   json["attribute_points"] = report.attribute_points;
   json["rounds"] = report.rounds;
   json["shorter_than_asked"] = shortfall_json(model, report.shortfall);
   json["quality"] = quality_json(report.quality);
+  if (report.curve) json["second_order"] = curve_json(model, *report.curve);
   json["volume"] = measure_json(report.volume, report.cad_volume);
   json["regions"] = regions_json(model, report.acceptance);
   json["area"] = measure_json(report.area, report.cad_area);
   json["area"]["faces_relative_error"] = report.cad_area > 0.0 ? report.area_off / report.cad_area : 0.0;
-  if (const auto farthest = report.acceptance.farthest())
+  if (const auto farthest = farthest_from_cad(report))
     json["distance"] = {{"largest", farthest->distance},
                         {"entity", model.describe(farthest->entity)},
                         {"dim", farthest->entity.dim},

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <optional>
 
+#include "app/measures.h"
 #include "app/region_measures.h"
 #include "app/self_contact.h"
 #include "app/words.h"
@@ -82,6 +83,20 @@ std::string note_lines(const Model& model) {
   return text;
 }
 
+/// Of a mesh of second order: how far its edges follow the CAD.
+std::string curve_line(const Model& model, const std::optional<CurveReport>& curve) {
+  if (!curve) return {};
+  std::string text = fmt::format("  {:<9}{} edges curved, scaled Jacobian at least {:.2f}", "order 2",
+                                 curve->curved, curve->least_scaled_jacobian);
+  if (curve->held.empty()) return text + "\n";
+  const OffCad& worst = curve->held.front();
+  return text + fmt::format(
+                    "; {} edges nearer to straight than the CAD, for elements would turn over: {:.2g} mm "
+                    "off at most, on {} at {}\n",
+                    curve->held.size(), worst.distance, model.describe(worst.entity),
+                    place_text(worst.place));
+}
+
 std::string measure_line(const char* name, const char* unit, double mesh, double cad) {
   const double error = cad > 0.0 ? 100.0 * (mesh / cad - 1.0) : 0.0;
   return fmt::format("  {:<9}{:.6g} {}, CAD {:.6g} ({:+.3g} %)\n", name, mesh, unit, cad, error);
@@ -133,10 +148,11 @@ std::string mesh_summary(const Model& model, const MeshReport& report) {
                       report.nodes, report.triangles);
   text += shortfall_line(model, report.shortfall);
   text += quality_line("quality", report.quality);
+  text += curve_line(model, report.curve);
   text += measure_line("volume", "mm^3", report.volume, report.cad_volume);
   text += regions_line(model, report.acceptance);
   text += measure_line("area", "mm^2", report.area, report.cad_area);
-  text += distance_line(model, report.acceptance.farthest());
+  text += distance_line(model, farthest_from_cad(report));
   text += contact_line(model);
   text += times_line(report.times);
   text += note_lines(model);

@@ -5,6 +5,7 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "classify/claims.h"
 
@@ -38,7 +39,16 @@ Acceptance accept_mesh(const Mesh& mesh, const Model& model, const AcceptanceOpt
   result.claims.resize(1 + asked.size());
   tbb::parallel_for(std::size_t{0}, asked.size(),
                     [&](std::size_t i) { result.claims[i + 1] = asked[i](in); });
+  for (Claim& claim : accept_second_order(mesh, model)) result.claims.push_back(std::move(claim));
   return result;
+}
+
+std::vector<Claim> accept_second_order(const Mesh& mesh, const Model& model) {
+  if (mesh.mid.empty()) return {};
+  std::vector<Claim> claims;
+  claims.push_back(claim_mid_nodes(mesh, model));
+  if (claims.back().holds) claims.push_back(claim_curved_elements(mesh));
+  return claims;
 }
 
 }  // namespace octet

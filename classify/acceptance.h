@@ -50,7 +50,12 @@ struct AcceptanceOptions {
 /// closure; upward counts; every model vertex, edge (one chain) and face (Euler characteristic, loops,
 /// orientation) covered; nodes on their entity; measures per entity within the chord error of the mesh's own
 /// edge lengths; CAD samples near the mesh; no orphan or duplicate nodes.
+/// All but the last are claims about the elements between the corners; of a mesh of second order, also that
+/// its nodes in the middles of edges are where they should be and that its elements turn over nowhere.
 [[nodiscard]] Acceptance accept_mesh(const Mesh& mesh, const Model& model,
                                      const AcceptanceOptions& options = {});
+
+/// The claims about the second order alone, of a mesh whose corners' claims hold. Without such nodes: none.
+[[nodiscard]] std::vector<Claim> accept_second_order(const Mesh& mesh, const Model& model);
 
 }  // namespace octet

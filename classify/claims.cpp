@@ -152,7 +152,6 @@ NodeFeet::NodeFeet(const Mesh& mesh, const Foot& foot) : number_(mesh.points.siz
 ClaimInput::ClaimInput(const Mesh& m, const Model& part)
     : mesh(m),
       model(part),
-      node_tolerance(kNodeShare * part.diagonal()),
       sweep(sweep_tets(m, part)),
       uses(sweep.proves_pairs() ? FaceUses(m, sweep.on_surface, sweep.outer) : FaceUses(m)),
       pieces_on(by_tag(m.edge_on, part.count(1))),
@@ -175,8 +174,8 @@ double ClaimInput::longest_side(const std::array<Mesh::Index, 3>& t) const {
                 (point(t[2]) - point(t[0])).squaredNorm()}));
 }
 
-double ClaimInput::allowed_distance(ModelRef entity) const {
-  return std::max(model.tolerance_of(entity), node_tolerance);
+double allowed_distance(const Model& model, ModelRef entity) {
+  return std::max(model.tolerance_of(entity), kNodeShare * model.diagonal());
 }
 
 std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t i) {

@@ -60,13 +60,15 @@ struct TriangleFoot {
   double distance = 0.0;  ///< of the centroid from the face
 };
 
+/// How far a node may lie from its entity: the entity's own tolerance, or what harms nobody, if that is more.
+[[nodiscard]] double allowed_distance(const Model& model, ModelRef entity);
+
 /// Everything the claims share, computed once. Requires that the claim `numbers` holds.
 struct ClaimInput {
   ClaimInput(const Mesh& m, const Model& part);
 
   const Mesh& mesh;
   const Model& model;
-  double node_tolerance = 0.0;  ///< the least distance asked of a node, see there
   TetSweep sweep;
   FaceUses uses;  ///< all faces; where sweep.proves_pairs(), only those that may be anything but pairs
   std::vector<std::vector<std::uint32_t>> pieces_on;      ///< per model edge tag: mesh edges
@@ -93,8 +95,9 @@ struct ClaimInput {
     return (point(t[1]) - point(t[0])).cross(point(t[2]) - point(t[0]));
   }
   [[nodiscard]] double longest_side(const std::array<Mesh::Index, 3>& t) const;
-  /// How far a node may lie from its entity: the entity's own tolerance, or node_tolerance if larger.
-  [[nodiscard]] double allowed_distance(ModelRef entity) const;
+  [[nodiscard]] double allowed_distance(ModelRef entity) const {
+    return octet::allowed_distance(model, entity);
+  }
 };
 
 /// Collects what is wrong; keeps the ten worst.
@@ -150,6 +153,10 @@ inline constexpr const char* kFiner = "Ask for a smaller size here.";
 // claims_overlap.cpp
 [[nodiscard]] Claim claim_volumes_add_up(const ClaimInput& in);
 [[nodiscard]] Claim claim_no_overlap(const ClaimInput& in);
+// claims_second_order.cpp
+[[nodiscard]] Claim claim_mid_nodes(const Mesh& mesh, const Model& model);
+/// Requires that the claim above holds as to which nodes the elements have.
+[[nodiscard]] Claim claim_curved_elements(const Mesh& mesh);
 // claims_distance.cpp
 [[nodiscard]] Claim claim_surface_distance(const ClaimInput& in);
 

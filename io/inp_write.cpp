@@ -23,8 +23,8 @@ constexpr std::size_t kPerLine = 16;      // the most that a line may hold
 constexpr std::size_t kLongestName = 60;  // of the 80 that Abaqus allows
 constexpr const char* kKind[4] = {"Vertex", "Edge", "Face", "Solid"};
 
-/// The side of a C3D4 by the local number of the vertex that it lacks: S1 is 1-2-3, S2 1-4-2, S3 2-4-3, S4
-/// 3-4-1.
+/// The side of a C3D4 or C3D10 by the local number of the vertex that it lacks: S1 is 1-2-3, S2 1-4-2, S3
+/// 2-4-3, S4 3-4-1.
 constexpr int kSideWithout[4] = {3, 4, 2, 1};
 
 char upper_case(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
@@ -59,10 +59,10 @@ std::map<ModelRef, std::string> set_names(const ModelOutline& outline) {
 
 void write_nodes(OutputFile& file, const Mesh& mesh, double scale) {
   file.write("*NODE, NSET=Nall\n");
-  file.write_blocks(mesh.points.size(), kBlock, [&](std::size_t first, std::size_t last, std::string& bytes) {
+  file.write_blocks(node_count(mesh), kBlock, [&](std::size_t first, std::size_t last, std::string& bytes) {
     auto out = std::back_inserter(bytes);
     for (std::size_t v = first; v < last; ++v) {
-      const Vec3 p = mesh.points[v] * scale;
+      const Vec3 p = node_point(mesh, static_cast<std::uint32_t>(v)) * scale;
       // CalculiX reads the first twenty characters of a number.
       fmt::format_to(out, "{}, {:.12e}, {:.12e}, {:.12e}\n", v + 1, p.x(), p.y(), p.z());
     }
@@ -71,28 +71,35 @@ void write_nodes(OutputFile& file, const Mesh& mesh, double scale) {
 
 void write_elements(OutputFile& file, const Mesh& mesh, const std::string& name,
                     const std::vector<std::uint32_t>& tets) {
-  file.write(fmt::format("*ELEMENT, TYPE=C3D4, ELSET={}\n", name));
+  const bool second = !mesh.mid.empty();
+  file.write(fmt::format("*ELEMENT, TYPE={}, ELSET={}\n", second ? "C3D10" : "C3D4", name));
   file.write_blocks(tets.size(), kBlock, [&](std::size_t first, std::size_t last, std::string& bytes) {
     auto out = std::back_inserter(bytes);
     for (std::size_t i = first; i < last; ++i) {
       const auto& v = mesh.tets[tets[i]];
-      fmt::format_to(out, "{}, {}, {}, {}, {}\n", tets[i] + 1, v[0] + 1, v[1] + 1, v[2] + 1, v[3] + 1);
+      fmt::format_to(out, "{}, {}, {}, {}, {}", tets[i] + 1, v[0] + 1, v[1] + 1, v[2] + 1, v[3] + 1);
+      if (second)
+        for (const std::size_t e : kVtkTetMid)
+          fmt::format_to(out, ", {}", mesh.points.size() + mesh.mid.of_tets[tets[i]][e] + 1);
+      bytes.push_back('\n');
     }
   });
 }
 
-/// The nodes of these elements, ascending, as a set.
-template <class Elements>
-void write_node_set(OutputFile& file, const Elements& elements, const std::vector<std::uint32_t>& items,
-                    const std::string& name) {
-  std::vector<Mesh::Index> nodes;
-  for (const std::uint32_t i : items) nodes.insert(nodes.end(), elements[i].begin(), elements[i].end());
+/// The nodes of these elements of a dimension, ascending, as a set.
+void write_node_set(OutputFile& file, const Mesh& mesh, const ElementGroups& groups, int dim,
+                    const std::vector<std::uint32_t>& items, const std::string& name) {
+  std::vector<std::uint64_t> nodes;
+  for (const std::uint32_t i : items) {
+    std::uint64_t own[kMostNodes];
+    nodes.insert(nodes.end(), own, own + element_nodes(mesh, groups, dim, i, own));
+  }
   std::sort(nodes.begin(), nodes.end());
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   std::string text = fmt::format("*NSET, NSET={}\n", name);
   for (std::size_t k = 0; k < nodes.size(); ++k)
-    text += fmt::format("{}{}", nodes[k] + 1,
-                        k + 1 == nodes.size() || k % kPerLine == kPerLine - 1 ? "\n" : ", ");
+    text +=
+        fmt::format("{}{}", nodes[k], k + 1 == nodes.size() || k % kPerLine == kPerLine - 1 ? "\n" : ", ");
   file.write(text);
 }
 
@@ -130,7 +137,7 @@ FaceUses boundary_uses(const Mesh& mesh) {
 
 void write_inp(OutputFile& file, const Mesh& mesh, const ModelOutline& outline, double scale) {
   constexpr std::size_t kMost = std::numeric_limits<int>::max();
-  if (std::max(mesh.points.size(), mesh.tets.size()) > kMost)
+  if (std::max(node_count(mesh), mesh.tets.size()) > kMost)
     throw OutputError("the mesh is too large for an .inp file; use MSH 4.1");
   const auto names = set_names(complete_outline(outline, mesh));
   const ElementGroups groups = group_elements(mesh);
@@ -144,9 +151,9 @@ void write_inp(OutputFile& file, const Mesh& mesh, const ModelOutline& outline, 
     if (ref.dim == 0) {
       file.write(fmt::format("*NSET, NSET={}\n{}\n", name, groups.vertex_nodes[items.front()] + 1));
     } else if (ref.dim == 1) {
-      write_node_set(file, mesh.edges, items, name);
+      write_node_set(file, mesh, groups, 1, items, name);
     } else if (ref.dim == 2) {
-      write_node_set(file, mesh.triangles, items, name);
+      write_node_set(file, mesh, groups, 2, items, name);
       write_surface(file, mesh, uses, name, items);
     }
   }

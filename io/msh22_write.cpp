@@ -15,10 +15,11 @@ namespace {
 constexpr int kTags = 2;  // physical, elementary
 
 void write_nodes(OutputFile& file, const Mesh& mesh, bool binary, double scale) {
-  file.write(fmt::format("$Nodes\n{}\n", mesh.points.size()));
+  const std::size_t nodes = node_count(mesh);
+  file.write(fmt::format("$Nodes\n{}\n", nodes));
   fmt::memory_buffer line;
-  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
-    const Vec3 p = mesh.points[v] * scale;
+  for (std::size_t v = 0; v < nodes; ++v) {
+    const Vec3 p = node_point(mesh, static_cast<std::uint32_t>(v)) * scale;
     if (binary) {
       file.put(static_cast<int>(v + 1));
       file.write(p.data(), 3 * sizeof(double));
@@ -31,10 +32,10 @@ void write_nodes(OutputFile& file, const Mesh& mesh, bool binary, double scale) 
   file.write(binary ? "\n$EndNodes\n" : "$EndNodes\n");
 }
 
-void write_ascii_element(OutputFile& file, fmt::memory_buffer& line, ModelRef ref, std::uint64_t tag,
-                         const std::uint64_t* nodes, int n) {
+void write_ascii_element(OutputFile& file, fmt::memory_buffer& line, ModelRef ref, int type,
+                         std::uint64_t tag, const std::uint64_t* nodes, int n) {
   line.clear();
-  fmt::format_to(fmt::appender(line), "{} {} {} {} {}", tag, kMshType[ref.dim], kTags, ref.tag, ref.tag);
+  fmt::format_to(fmt::appender(line), "{} {} {} {} {}", tag, type, kTags, ref.tag, ref.tag);
   for (int k = 0; k < n; ++k) fmt::format_to(fmt::appender(line), " {}", nodes[k]);
   line.push_back('\n');
   file.write({line.data(), line.size()});
@@ -42,7 +43,7 @@ void write_ascii_element(OutputFile& file, fmt::memory_buffer& line, ModelRef re
 
 void write_binary_element(OutputFile& file, ModelRef ref, std::uint64_t tag, const std::uint64_t* nodes,
                           int n) {
-  int record[7] = {static_cast<int>(tag), ref.tag, ref.tag};
+  int record[3 + kMostNodes] = {static_cast<int>(tag), ref.tag, ref.tag};
   for (int k = 0; k < n; ++k) record[3 + k] = static_cast<int>(nodes[k]);
   file.write(record, (3 + static_cast<std::size_t>(n)) * sizeof(int));
 }
@@ -52,17 +53,17 @@ void write_elements(OutputFile& file, const Mesh& mesh, const ElementGroups& gro
   fmt::memory_buffer line;
   for (const auto& [ref, items] : groups.items) {
     if (binary) {
-      const int head[3] = {kMshType[ref.dim], static_cast<int>(items.size()), kTags};
+      const int head[3] = {msh_type(mesh, ref.dim), static_cast<int>(items.size()), kTags};
       file.write(head, sizeof head);
     }
     for (const std::uint32_t i : items) {
-      std::uint64_t nodes[4];
+      std::uint64_t nodes[kMostNodes];
       const int n = element_nodes(mesh, groups, ref.dim, i, nodes);
       const std::uint64_t tag = groups.first_tag[ref.dim] + i;
       if (binary) {
         write_binary_element(file, ref, tag, nodes, n);
       } else {
-        write_ascii_element(file, line, ref, tag, nodes, n);
+        write_ascii_element(file, line, ref, msh_type(mesh, ref.dim), tag, nodes, n);
       }
     }
   }
@@ -76,7 +77,7 @@ void write_msh22(OutputFile& file, const Mesh& mesh, const ModelOutline& outline
   const bool binary = encoding == Encoding::kBinary;
   const ElementGroups groups = group_elements(mesh);
   constexpr std::uint64_t kMost = std::numeric_limits<int>::max();
-  if (groups.total > kMost || mesh.points.size() > kMost)
+  if (groups.total > kMost || node_count(mesh) > kMost)
     throw OutputError("the mesh is too large for MSH 2.2; use MSH 4.1");
   file.write(fmt::format("$MeshFormat\n2.2 {} 8\n", binary ? 1 : 0));
   if (binary) {

@@ -128,12 +128,12 @@ void write_block_head(Sink& sink, ModelRef ref, int kind, std::size_t items) {
 void write_nodes(Sink& sink, const Mesh& mesh, double scale) {
   const ItemsOn blocks = group_nodes(mesh);
   sink.begin("Nodes");
-  write_counts(sink, blocks.size(), mesh.points.size());
+  write_counts(sink, blocks.size(), node_count(mesh));
   for (const auto& [ref, nodes] : blocks) {
     write_block_head(sink, ref, 0, nodes.size());  // 0: no parameters on the entity
     const auto& items = nodes;
     sink.lines(items.size(), [&](Row& row, std::size_t i) { row.size(std::uint64_t{items[i]} + 1); });
-    sink.lines(items.size(), [&](Row& row, std::size_t i) { row.reals(mesh.points[items[i]] * scale); });
+    sink.lines(items.size(), [&](Row& row, std::size_t i) { row.reals(node_point(mesh, items[i]) * scale); });
   }
   sink.end("Nodes");
 }
@@ -145,9 +145,9 @@ void write_elements(Sink& sink, const Mesh& mesh) {
   for (const auto& group : groups.items) {
     const ModelRef ref = group.first;
     const auto& items = group.second;
-    write_block_head(sink, ref, kMshType[ref.dim], items.size());
+    write_block_head(sink, ref, msh_type(mesh, ref.dim), items.size());
     sink.lines(items.size(), [&](Row& row, std::size_t i) {
-      std::uint64_t record[5] = {groups.first_tag[ref.dim] + items[i]};
+      std::uint64_t record[1 + kMostNodes] = {groups.first_tag[ref.dim] + items[i]};
       row.sizes(record, 1 + element_nodes(mesh, groups, ref.dim, items[i], record + 1));
     });
   }

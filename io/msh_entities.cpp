@@ -40,14 +40,14 @@ void add_items(ItemsOn& items, std::size_t n, const EntityOf& entity_of) {
 std::map<ModelRef, Box3> mesh_boxes(const Mesh& mesh) {
   std::map<ModelRef, Box3> boxes;
   for (const auto& [ref, nodes] : group_nodes(mesh))
-    for (const std::uint32_t v : nodes) boxes[ref].add(mesh.points[v]);
+    for (const std::uint32_t v : nodes) boxes[ref].add(node_point(mesh, v));
   const ElementGroups groups = group_elements(mesh);
   for (const auto& [ref, items] : groups.items) {
     Box3& box = boxes[ref];
-    std::uint64_t nodes[4];
+    std::uint64_t nodes[kMostNodes];
     for (const std::uint32_t i : items) {
       const int n = element_nodes(mesh, groups, ref.dim, i, nodes);
-      for (int k = 0; k < n; ++k) box.add(mesh.points[nodes[k] - 1]);
+      for (int k = 0; k < n; ++k) box.add(node_point(mesh, static_cast<std::uint32_t>(nodes[k] - 1)));
     }
   }
   return boxes;
@@ -91,14 +91,21 @@ std::string printable(std::string name) {
   return name;
 }
 
+std::size_t node_count(const Mesh& mesh) { return mesh.points.size() + mesh.mid.points.size(); }
+
+const Vec3& node_point(const Mesh& mesh, std::uint32_t node) {
+  return node < mesh.points.size() ? mesh.points[node] : mesh.mid.points[node - mesh.points.size()];
+}
+
 ModelRef node_entity(const Mesh& mesh, std::uint32_t node) {
-  const ModelRef ref = mesh.point_on[node];
+  const ModelRef ref =
+      node < mesh.points.size() ? mesh.point_on[node] : mesh.mid.on[node - mesh.points.size()];
   return ref.dim >= 0 && ref.dim <= 3 ? ref : ModelRef{3, 0};
 }
 
 ItemsOn group_nodes(const Mesh& mesh) {
   ItemsOn items;
-  add_items(items, mesh.points.size(), [&](std::uint32_t v) { return node_entity(mesh, v); });
+  add_items(items, node_count(mesh), [&](std::uint32_t v) { return node_entity(mesh, v); });
   return items;
 }
 
@@ -121,23 +128,32 @@ ElementGroups group_elements(const Mesh& mesh) {
 }
 
 int element_nodes(const Mesh& mesh, const ElementGroups& groups, int dim, std::uint32_t i,
-                  std::uint64_t nodes[4]) {
-  const auto copy = [nodes](const auto& element) {
-    int n = 0;
+                  std::uint64_t nodes[kMostNodes]) {
+  int n = 0;
+  const auto add = [&](const auto& element) {
     for (const Mesh::Index v : element) nodes[n++] = std::uint64_t{v} + 1;
-    return n;
   };
+  const auto add_mid = [&](Mesh::Index m) { nodes[n++] = mesh.points.size() + m + 1; };
+  const bool second = !mesh.mid.empty();
   switch (dim) {
     case 0:
-      nodes[0] = std::uint64_t{groups.vertex_nodes[i]} + 1;
-      return 1;
+      nodes[n++] = std::uint64_t{groups.vertex_nodes[i]} + 1;
+      break;
     case 1:
-      return copy(mesh.edges[i]);
+      add(mesh.edges[i]);
+      if (second) add_mid(mesh.mid.of_edges[i]);
+      break;
     case 2:
-      return copy(mesh.triangles[i]);
+      add(mesh.triangles[i]);
+      if (second)
+        for (const Mesh::Index m : mesh.mid.of_triangles[i]) add_mid(m);
+      break;
     default:
-      return copy(mesh.tets[i]);
+      add(mesh.tets[i]);
+      if (second)
+        for (const std::size_t e : kMshTetMid) add_mid(mesh.mid.of_tets[i][e]);
   }
+  return n;
 }
 
 std::map<ModelRef, std::string> physical_names(const ModelOutline& outline) {

@@ -14,6 +14,10 @@
 
 namespace octet {
 
+/// Nodes of a mesh: its vertices, then those in the middles of its edges.
+[[nodiscard]] std::size_t node_count(const Mesh& mesh);
+[[nodiscard]] const Vec3& node_point(const Mesh& mesh, std::uint32_t node);
+
 /// Items (nodes or elements of one kind) of each model entity, ascending within it.
 using ItemsOn = std::map<ModelRef, std::vector<std::uint32_t>>;
 [[nodiscard]] ItemsOn group_nodes(const Mesh& mesh);
@@ -26,12 +30,22 @@ struct ElementGroups {
 };
 [[nodiscard]] ElementGroups group_elements(const Mesh& mesh);
 
-/// MSH's numbers of linear elements by dimension: point, line, triangle, tetrahedron.
-inline constexpr int kMshType[4] = {15, 1, 2, 4};
+/// MSH's numbers of elements by order and dimension: point, line, triangle, tetrahedron.
+inline constexpr int kMshType[2][4] = {{15, 1, 2, 4}, {15, 8, 9, 11}};
+[[nodiscard]] inline int msh_type(const Mesh& mesh, int dim) {
+  return kMshType[mesh.mid.empty() ? 0 : 1][dim];
+}
 
-/// Nodes of element `i` of a dimension, as tags from 1; returns their count.
+/// Where the edges of kTetEdge, in which MidNodes::of_tets has its nodes, stand in the formats' elements of
+/// second order; lines and triangles are the same in all.
+inline constexpr std::size_t kMshTetMid[6] = {0, 3, 1, 2, 5, 4};
+inline constexpr std::size_t kVtkTetMid[6] = {0, 3, 1, 2, 4, 5};  ///< and those of Abaqus
+/// The most nodes of an element.
+inline constexpr std::size_t kMostNodes = 10;
+
+/// Nodes of element `i` of a dimension in MSH's order, as tags from 1; returns their count.
 int element_nodes(const Mesh& mesh, const ElementGroups& groups, int dim, std::uint32_t i,
-                  std::uint64_t nodes[4]);
+                  std::uint64_t nodes[kMostNodes]);
 
 /// Names of the physical groups by entity: every named entity, and, when there is any name, every face and
 /// region (`Face12`, `Solid1`), for readers skip what is in no group once there is a group. Names are unique,

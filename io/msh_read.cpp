@@ -11,6 +11,7 @@
 
 #include "base/error.h"
 #include "io/byte_cursor.h"
+#include "io/msh_entities.h"
 
 namespace octet {
 namespace {
@@ -48,31 +49,46 @@ int nodes_of_type(Source& in, int type) {
     case 1:
       return 2;
     case 2:
+    case 8:
       return 3;
     case 4:
       return 4;
+    case 9:
+      return 6;
+    case 11:
+      return 10;
     default:
-      in.cursor.fail(
-          fmt::format("element type {} is not read: only linear points, lines, triangles and "
-                      "tetrahedra are",
-                      type));
+      in.cursor.fail(fmt::format(
+          "element type {} is not read: only points, and lines, triangles and tetrahedra of first "
+          "and second order are",
+          type));
   }
 }
 
-void add_element(RawMesh& mesh, int node_count, std::uint64_t tag, std::int32_t entity,
+void add_element(RawMesh& mesh, int type, std::uint64_t tag, std::int32_t entity,
                  const std::uint64_t* nodes) {
-  switch (node_count) {
-    case 1:
+  const auto as_given = [](std::size_t k) { return k; };
+  switch (type) {
+    case 15:
       mesh.vertices.add(tag, entity, nodes);
       break;
-    case 2:
+    case 1:
       mesh.edges.add(tag, entity, nodes);
       break;
-    case 3:
+    case 2:
       mesh.triangles.add(tag, entity, nodes);
       break;
-    default:
+    case 4:
       mesh.tets.add(tag, entity, nodes);
+      break;
+    case 8:
+      mesh.edges.add_second(tag, entity, nodes, as_given);
+      break;
+    case 9:
+      mesh.triangles.add_second(tag, entity, nodes, as_given);
+      break;
+    default:
+      mesh.tets.add_second(tag, entity, nodes, [](std::size_t k) { return kMshTetMid[k]; });
   }
 }
 
@@ -110,13 +126,14 @@ void read_elements41(Source& in, RawMesh& mesh) {
   for (std::size_t b = 0; b < blocks; ++b) {
     (void)in.integer();  // the dimension, which the type tells too
     const int entity = in.integer();
-    const int nodes_each = nodes_of_type(in, in.integer());
+    const int type = in.integer();
+    const int nodes_each = nodes_of_type(in, type);
     const auto n = in.cursor.checked_count(in.size(), in.least(16), "elements");
     for (std::size_t i = 0; i < n; ++i) {
       const std::uint64_t tag = in.size();
-      std::uint64_t nodes[4] = {};
+      std::uint64_t nodes[kMostNodes] = {};
       for (int k = 0; k < nodes_each; ++k) nodes[k] = in.size();
-      add_element(mesh, nodes_each, tag, entity, nodes);
+      add_element(mesh, type, tag, entity, nodes);
     }
   }
 }
@@ -145,16 +162,17 @@ void read_nodes22(Source& in, RawMesh& mesh) {
 }
 
 /// One element behind its type: tag, number of tags (ASCII only), tags, nodes.
-void read_element22(Source& in, RawMesh& mesh, int nodes_each, std::uint64_t tag, std::int32_t tags) {
+void read_element22(Source& in, RawMesh& mesh, int type, std::uint64_t tag, std::int32_t tags) {
   if (tags < 0) in.cursor.fail("a number of tags is negative");
   std::int32_t entity = 0;
   for (std::int32_t k = 0; k < tags; ++k) {
     const std::int32_t value = in.integer();
     if (k < 2) entity = value;  // physical, then elementary
   }
-  std::uint64_t nodes[4] = {};
+  std::uint64_t nodes[kMostNodes] = {};
+  const int nodes_each = nodes_of_type(in, type);
   for (int k = 0; k < nodes_each; ++k) nodes[k] = positive(in);
-  add_element(mesh, nodes_each, tag, entity, nodes);
+  add_element(mesh, type, tag, entity, nodes);
 }
 
 /// [MSH 2.2, $Elements]
@@ -163,17 +181,17 @@ void read_elements22(Source& in, RawMesh& mesh) {
   for (std::size_t done = 0; done < n;) {
     if (!in.binary) {
       const std::uint64_t tag = positive(in);
-      const int nodes_each = nodes_of_type(in, in.integer());
-      read_element22(in, mesh, nodes_each, tag, in.integer());
+      const int type = in.integer();
+      read_element22(in, mesh, type, tag, in.integer());
       ++done;
       continue;
     }
-    const int nodes_each = nodes_of_type(in, in.integer());
+    const int type = in.integer();
     const std::int32_t follow = in.integer();
     const std::int32_t tags = in.integer();
     if (follow <= 0 || static_cast<std::size_t>(follow) > n - done)
       in.cursor.fail("a block of elements has a wrong length");
-    for (std::int32_t i = 0; i < follow; ++i) read_element22(in, mesh, nodes_each, positive(in), tags);
+    for (std::int32_t i = 0; i < follow; ++i) read_element22(in, mesh, type, positive(in), tags);
     done += static_cast<std::size_t>(follow);
   }
 }

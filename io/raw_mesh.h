@@ -11,18 +11,31 @@
 
 namespace octet {
 
-/// Elements of one dimension.
+/// Elements of one dimension, of first or of second order.
 template <std::size_t N>
 struct RawElements {
+  static constexpr std::size_t kSides = N * (N - 1) / 2;
+  using Mids = std::array<std::uint64_t, kSides>;
+
   std::vector<std::uint64_t> tag;
   std::vector<std::int32_t> on;
-  std::vector<std::array<std::uint64_t, N>> nodes;  ///< node tags
+  std::vector<std::array<std::uint64_t, N>> nodes;  ///< node tags of the corners
+  std::vector<Mids> mids;  ///< and of the middles of the edges, in the order of MidNodes; empty: first order
 
   void add(std::uint64_t element_tag, std::int32_t entity, const std::uint64_t* node_tags) {
     tag.push_back(element_tag);
     on.push_back(entity);
     auto& element = nodes.emplace_back();
     for (std::size_t i = 0; i < N; ++i) element[i] = node_tags[i];
+  }
+  /// An element of second order: corners, then the middles of its edges, of which the k-th is in the middle
+  /// of edge place(k).
+  template <class Place>
+  void add_second(std::uint64_t element_tag, std::int32_t entity, const std::uint64_t* node_tags,
+                  const Place& place) {
+    add(element_tag, entity, node_tags);
+    auto& own = mids.emplace_back();
+    for (std::size_t k = 0; k < kSides; ++k) own[place(k)] = node_tags[N + k];
   }
 };
 
@@ -49,7 +62,8 @@ struct RawMesh {
 
 /// Nodes and elements in ascending order of their tags, node tags turned into indices. Nodes of unknown
 /// entity get that of the element of least dimension that names them; without any, {3, 0}. Orientations are
-/// left as they are. InputError on tags given twice, unknown nodes, and coordinates that are not finite.
+/// left as they are. InputError on tags given twice, unknown nodes, coordinates that are not finite, elements
+/// of both orders, and nodes that are a corner and in the middle of an edge.
 [[nodiscard]] Mesh assemble_mesh(RawMesh&& raw);
 
 }  // namespace octet

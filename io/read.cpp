@@ -44,9 +44,12 @@ RawMesh read_bytes(const std::string& bytes) {
 
 }  // namespace
 
-Mesh read_mesh(const std::filesystem::path& path) {
+Mesh read_mesh(const std::filesystem::path& path, double scale) {
   try {
-    return assemble_mesh(read_bytes(file_bytes(path)));
+    Mesh mesh = assemble_mesh(read_bytes(file_bytes(path)));
+    for (Vec3& p : mesh.points) p *= scale;
+    for (Vec3& p : mesh.mid.points) p *= scale;
+    return mesh;
   } catch (const InputError& error) {
     throw InputError(fmt::format("cannot read \"{}\": {}", path.string(), error.what()));
   }

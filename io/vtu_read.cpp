@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/error.h"
+#include "io/msh_entities.h"
 #include "io/vtu_file.h"
 
 namespace octet {
@@ -33,6 +34,11 @@ void add_cell(RawMesh& mesh, std::uint64_t cell, std::uint8_t type, std::int32_t
   if (type == 3 && count == 2) return mesh.edges.add(cell, entity, nodes);
   if (type == 5 && count == 3) return mesh.triangles.add(cell, entity, nodes);
   if (type == 10 && count == 4) return mesh.tets.add(cell, entity, nodes);
+  const auto as_given = [](std::size_t k) { return k; };
+  if (type == 21 && count == 3) return mesh.edges.add_second(cell, entity, nodes, as_given);
+  if (type == 22 && count == 6) return mesh.triangles.add_second(cell, entity, nodes, as_given);
+  if (type == 24 && count == 10)
+    return mesh.tets.add_second(cell, entity, nodes, [](std::size_t k) { return kVtkTetMid[k]; });
   throw InputError(fmt::format("VTU cell {} of type {} is not read", cell, type));
 }
 
@@ -48,9 +54,9 @@ void read_cells(const VtuFile& file, RawMesh& mesh) {
   std::int64_t start = 0;
   for (std::uint64_t i = 0; i < n; ++i) {
     const std::int64_t count = offsets[i] - start;
-    if (count < 1 || count > 4 || offsets[i] > length)
+    if (count < 1 || count > static_cast<std::int64_t>(kMostNodes) || offsets[i] > length)
       throw InputError(fmt::format("VTU cell {} has a wrong number of nodes", i));
-    std::uint64_t nodes[4] = {};
+    std::uint64_t nodes[kMostNodes] = {};
     for (std::int64_t k = 0; k < count; ++k) nodes[k] = static_cast<std::uint64_t>(connectivity[start + k]);
     add_cell(mesh, i, types[i], tag[i], nodes, static_cast<std::uint64_t>(count));
     start = offsets[i];

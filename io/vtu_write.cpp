@@ -18,19 +18,21 @@
 namespace octet {
 namespace {
 
-constexpr std::uint8_t kVtkType[4] = {1, 3, 5, 10};
+/// By order and dimension.
+constexpr std::uint8_t kVtkType[2][4] = {{1, 3, 5, 10}, {1, 21, 22, 24}};
+constexpr std::size_t kNodes[2][4] = {{1, 2, 3, 4}, {1, 3, 6, 10}};
 
 /// The cells in order: nodes on model vertices, edges, triangles, tetrahedra.
 class Cells {
  public:
-  explicit Cells(const Mesh& mesh) : mesh_(mesh) {
+  explicit Cells(const Mesh& mesh) : mesh_(mesh), order_(mesh.mid.empty() ? 0 : 1) {
     for (std::uint32_t v = 0; v < mesh.points.size(); ++v)
       if (node_entity(mesh, v).dim == 0) vertex_nodes_.push_back(v);
     const std::size_t counts[4] = {vertex_nodes_.size(), mesh.edges.size(), mesh.triangles.size(),
                                    mesh.tets.size()};
     for (int dim = 0; dim < 4; ++dim) {
       first_[dim + 1] = first_[dim] + counts[dim];
-      first_value_[dim + 1] = first_value_[dim] + counts[dim] * static_cast<std::size_t>(dim + 1);
+      first_value_[dim + 1] = first_value_[dim] + counts[dim] * kNodes[order_][dim];
     }
   }
   [[nodiscard]] std::size_t size() const { return first_[4]; }
@@ -39,6 +41,8 @@ class Cells {
   [[nodiscard]] int dim(std::size_t cell) const {
     return cell < first_[1] ? 0 : cell < first_[2] ? 1 : cell < first_[3] ? 2 : 3;
   }
+  [[nodiscard]] std::uint8_t type(std::size_t cell) const { return kVtkType[order_][dim(cell)]; }
+  [[nodiscard]] std::size_t nodes_of(std::size_t cell) const { return kNodes[order_][dim(cell)]; }
   [[nodiscard]] std::int32_t tag(std::size_t cell) const {
     const int d = dim(cell);
     const std::size_t i = cell - first_[d];
@@ -48,7 +52,7 @@ class Cells {
   /// Where the cell ends in the connectivity.
   [[nodiscard]] std::uint64_t end(std::size_t cell) const {
     const int d = dim(cell);
-    return first_value_[d] + (cell - first_[d] + 1) * static_cast<std::uint64_t>(d + 1);
+    return first_value_[d] + (cell - first_[d] + 1) * std::uint64_t{kNodes[order_][d]};
   }
   template <class T>
   void nodes(std::size_t cell, T* values) const {
@@ -58,11 +62,19 @@ class Cells {
                            : d == 1 ? mesh_.edges[i].data()
                            : d == 2 ? mesh_.triangles[i].data()
                                     : mesh_.tets[i].data();
-    for (int k = 0; k <= d; ++k) values[k] = static_cast<T>(v[k]);
+    for (int k = 0; k <= d; ++k) *values++ = static_cast<T>(v[k]);
+    if (order_ == 0) return;
+    const auto add = [&](Mesh::Index m) { *values++ = static_cast<T>(mesh_.points.size() + m); };
+    if (d == 1) add(mesh_.mid.of_edges[i]);
+    if (d == 2)
+      for (const Mesh::Index m : mesh_.mid.of_triangles[i]) add(m);
+    if (d == 3)
+      for (const std::size_t e : kVtkTetMid) add(mesh_.mid.of_tets[i][e]);
   }
 
  private:
   const Mesh& mesh_;
+  std::size_t order_;  ///< 0: of the first, 1: of the second
   std::vector<std::uint32_t> vertex_nodes_;
   std::size_t first_[5] = {};
   std::uint64_t first_value_[5] = {};
@@ -73,11 +85,10 @@ template <class T>
 std::string add_cells(VtuAppended& data, const Cells& cells) {
   const Cells* c = &cells;
   return data.add<T>(
-             "connectivity", 1, cells.size(), cells.values(),
-             [c](std::size_t i) { return static_cast<std::size_t>(c->dim(i) + 1); },
+             "connectivity", 1, cells.size(), cells.values(), [c](std::size_t i) { return c->nodes_of(i); },
              [c](std::size_t i, T* values) { c->nodes(i, values); }) +
          data.add<T>("offsets", cells.size(), [c](std::size_t i) { return c->end(i); }) +
-         data.add<std::uint8_t>("types", cells.size(), [c](std::size_t i) { return kVtkType[c->dim(i)]; });
+         data.add<std::uint8_t>("types", cells.size(), [c](std::size_t i) { return c->type(i); });
 }
 
 using Colour = std::array<std::uint8_t, 3>;
@@ -168,7 +179,7 @@ void write_vtu(OutputFile& file, const Mesh& mesh, const ModelOutline& outline, 
   const Cells cells(mesh);
   const Mesh* m = &mesh;
   const Cells* c = &cells;
-  const std::size_t points = mesh.points.size();
+  const std::size_t points = node_count(mesh);
   std::string xml = kVtuHead;
   xml += add_field_data(data, outline);
   xml += fmt::format("    <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n      <PointData>\n", points,
@@ -189,7 +200,8 @@ void write_vtu(OutputFile& file, const Mesh& mesh, const ModelOutline& outline, 
   xml += data.add<double>(
       "Points", 3, points, 3 * points, [](std::size_t) { return std::size_t{3}; },
       [m, scale](std::size_t v, double* values) {
-        for (int i = 0; i < 3; ++i) values[i] = m->points[v][i] * scale;
+        const Vec3& p = node_point(*m, static_cast<std::uint32_t>(v));
+        for (int i = 0; i < 3; ++i) values[i] = p[i] * scale;
       });
   xml += "      </Points>\n      <Cells>\n";
   const bool narrow = std::max<std::uint64_t>(cells.values(), points) <=

@@ -27,7 +27,7 @@ void write_mesh(const std::filesystem::path& path, const Mesh& mesh, const Model
 
 /// Reads MSH 4.1 and 2.2, ASCII and binary, and VTU as written by write_mesh. InputError when it cannot.
 /// point_on is rebuilt from entity blocks (4.1), else from the lowest-dimensional element that names the
-/// node.
-[[nodiscard]] Mesh read_mesh(const std::filesystem::path& path);
+/// node. Coordinates are multiplied by `scale`, which leaves them as they are where it is 1.
+[[nodiscard]] Mesh read_mesh(const std::filesystem::path& path, double scale = 1.0);
 
 }  // namespace octet

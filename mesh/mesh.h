@@ -10,6 +10,24 @@
 
 namespace octet {
 
+/// Nodes in the middles of a mesh's edges, which make its elements of second order; without any the mesh is
+/// of first order.
+///
+/// Invariants: one node for every edge of the elements and no other, in the order of their ends; elements
+/// that share an edge share its node; a node is on the model entity of least dimension that holds the edge.
+struct MidNodes {
+  using Index = std::uint32_t;
+
+  std::vector<Vec3> points;                        ///< model units
+  std::vector<ModelRef> on;                        ///< entity that holds the edge
+  std::vector<std::array<Index, 2>> between;       ///< the edge's vertices, ascending
+  std::vector<Index> of_edges;                     ///< per mesh edge on a model edge
+  std::vector<std::array<Index, 3>> of_triangles;  ///< of the sides from vertex 0, from 1 and from 2
+  std::vector<std::array<Index, 6>> of_tets;       ///< in the order of kTetEdge (mesh/tet_mesh.h)
+
+  [[nodiscard]] bool empty() const { return points.empty(); }
+};
+
 /// Vertices, edges, triangles and tetrahedra, each with the model entity it lies on.
 ///
 /// Invariants (tested by `check_mesh_soundness` in mesh/soundness.h):
@@ -30,6 +48,7 @@ struct Mesh {
   std::vector<std::int32_t> triangle_on;        ///< model face tag
   std::vector<std::array<Index, 4>> tets;       ///< positive
   std::vector<std::int32_t> tet_in;             ///< model region tag
+  MidNodes mid;                                 ///< of a mesh of second order; else empty
 };
 
 }  // namespace octet

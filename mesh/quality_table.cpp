@@ -9,19 +9,25 @@
 
 #include "mesh/forbidden.h"
 #include "mesh/local_size.h"
+#include "mesh/quadratic.h"
 
 namespace octet {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr int kMeasures = 5;
+constexpr int kMeasures = 6;
 
-/// What is told of each element, in the order of QualityTable::all.
-std::array<double, kMeasures> measures_of(const Mesh& mesh, const std::array<Mesh::Index, 4>& v) {
+/// What is told of each element, in the order of QualityTable::all; the last of second order alone.
+std::array<double, kMeasures> measures_of(const Mesh& mesh, std::size_t t) {
+  const auto& v = mesh.tets[t];
   const Vec3 &a = mesh.points[v[0]], &b = mesh.points[v[1]], &c = mesh.points[v[2]], &d = mesh.points[v[3]];
   const DihedralRange range = dihedral_range(a, b, c, d);
-  return {range.smallest, range.largest, mean_ratio(a, b, c, d), radius_ratio(a, b, c, d),
-          aspect(a, b, c, d)};
+  return {range.smallest,
+          range.largest,
+          mean_ratio(a, b, c, d),
+          radius_ratio(a, b, c, d),
+          aspect(a, b, c, d),
+          mesh.mid.empty() ? 1.0 : scaled_jacobian(jacobian_form(quadratic_tet(mesh, t)))};
 }
 
 /// The distributions without their values: names and bins.
@@ -39,6 +45,7 @@ std::array<Distribution, kMeasures> empty_distributions() {
   set(d[2], "mean ratio", 0.0, 0.05, 20);
   set(d[3], "radius ratio", 0.0, 0.05, 20);
   set(d[4], "aspect", 0.0, 0.05, 20);
+  set(d[5], "scaled Jacobian", 0.0, 0.05, 20);
   return d;
 }
 
@@ -62,10 +69,11 @@ void fill(Distribution& d, std::vector<double>& values) {
   d.mean = sum / static_cast<double>(values.size());
 }
 
-std::vector<Distribution> distributions(std::array<std::vector<double>, kMeasures>& values) {
+std::vector<Distribution> distributions(std::array<std::vector<double>, kMeasures>& values,
+                                        bool second_order) {
   auto d = empty_distributions();
   for (int m = 0; m < kMeasures; ++m) fill(d[m], values[m]);
-  return {d.begin(), d.end()};
+  return {d.begin(), d.end() - (second_order ? 0 : 1)};
 }
 
 Distribution edge_lengths(const Mesh& mesh, std::span<const double> size) {
@@ -86,7 +94,7 @@ WorstTet tell(const Mesh& mesh, std::size_t t, const std::vector<char>& forbiddi
   const auto& v = mesh.tets[t];
   WorstTet worst;
   worst.tet = t;
-  const auto m = measures_of(mesh, v);
+  const auto m = measures_of(mesh, t);
   worst.dihedral = {m[0], m[1]};
   worst.mean_ratio = m[2];
   worst.limited = touches(v, forbidding);
@@ -109,7 +117,7 @@ QualityTable quality_table(const Mesh& mesh, std::span<const double> size, std::
   std::array<std::vector<double>, kMeasures> all, free;
   std::vector<std::pair<double, std::size_t>> order;
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
-    const auto m = measures_of(mesh, mesh.tets[t]);
+    const auto m = measures_of(mesh, t);
     const bool limited = touches(mesh.tets[t], forbidding);
     table.limited += limited;
     for (int i = 0; i < kMeasures; ++i) {
@@ -118,8 +126,8 @@ QualityTable quality_table(const Mesh& mesh, std::span<const double> size, std::
     }
     order.emplace_back(std::min(std::sin(m[0]), std::sin(m[1])), t);
   }
-  table.all = distributions(all);
-  table.free = distributions(free);
+  table.all = distributions(all, !mesh.mid.empty());
+  table.free = distributions(free, !mesh.mid.empty());
   table.edges = edge_lengths(mesh, size);
   worst_count = std::min(worst_count, order.size());
   std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(worst_count), order.end());

@@ -33,7 +33,8 @@ struct WorstTet {
 struct QualityTable {
   std::size_t tets = 0, limited = 0;  ///< elements; of these limited by the geometry (mesh/forbidden.h)
   /// Over all elements, and over those that the geometry does not limit: smallest and largest dihedral angle
-  /// per element, mean ratio, radius ratio, aspect.
+  /// per element, mean ratio, radius ratio, aspect, all of the element between the corners; of a mesh of
+  /// second order also the scaled Jacobian (mesh/quadratic.h).
   std::vector<Distribution> all, free;
   Distribution edges;           ///< length over the local size, each edge once
   std::vector<WorstTet> worst;  ///< by the smallest sine of a dihedral angle, worst first

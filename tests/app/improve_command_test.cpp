@@ -33,6 +33,20 @@ TEST(ImproveCommand, BettersAMeshAndKeepsItRight) {
   EXPECT_EQ(run_octet({"check", better, part}).exit_code, kExitComplete);
 }
 
+TEST(ImproveCommand, KeepsTheOrderOfTheElementsOrRaisesIt) {
+  const TemporaryDirectory out;
+  const std::string part = model_file("cylinder.step");
+  const std::string first = out.file("1.msh"), second = out.file("2.msh"), better = out.file("better.msh");
+  ASSERT_EQ(run_octet({"mesh", part, "-o", first, "--no-finalize", "--quiet"}).exit_code, kExitComplete);
+  ASSERT_EQ(run_octet({"improve", first, part, "-o", second, "--order", "2"}).exit_code, kExitComplete);
+  EXPECT_FALSE(read_mesh(second).mid.empty());
+  ASSERT_EQ(run_octet({"improve", second, part, "-o", better}).exit_code, kExitComplete);
+  EXPECT_FALSE(read_mesh(better).mid.empty());
+  EXPECT_EQ(run_octet({"check", better, part}).exit_code, kExitComplete);
+  ASSERT_EQ(run_octet({"improve", second, part, "-o", better, "--order", "1"}).exit_code, kExitComplete);
+  EXPECT_TRUE(read_mesh(better).mid.empty());
+}
+
 TEST(ImproveCommand, GivesTheSameBytesFromOneAndTwoThreads) {
   const TemporaryDirectory out;
   const std::string part = model_file("cylinder.step"), raw = out.file("raw.msh");

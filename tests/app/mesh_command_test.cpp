@@ -51,6 +51,53 @@ TEST(MeshCommand, MeshesTheBracketCompletely) {
   EXPECT_EQ(out.names(), (std::vector<std::string>{"a.json", "a.msh"}));
 }
 
+TEST(MeshCommand, MakesElementsOfSecondOrderThatFollowTheCad) {
+  const TemporaryDirectory out;
+  const auto run = mesh_bracket(out.file("2.msh"), {"--order", "2", "--report", out.file("2.json")});
+  ASSERT_EQ(run.exit_code, kExitComplete) << run.out << run.err;
+  ASSERT_EQ(mesh_bracket(out.file("1.msh"), {"--report", out.file("1.json")}).exit_code, kExitComplete);
+  const Json first = Json::parse(read_bytes(out.file("1.json"))),
+             second = Json::parse(read_bytes(out.file("2.json")));
+  EXPECT_EQ(first["order"], 1);
+  EXPECT_EQ(second["order"], 2);
+  EXPECT_EQ(first["tets"], second["tets"]);
+  const auto off = [](const Json& report) {
+    return std::abs(report["volume"]["relative_error"].get<double>());
+  };
+  EXPECT_LT(off(second), 0.05 * off(first));
+  const auto of_faces = [](const Json& report) {
+    return report["area"]["faces_relative_error"].get<double>();
+  };
+  EXPECT_LT(of_faces(second), 0.1 * of_faces(first));
+  EXPECT_LT(second["distance"]["largest"].get<double>(), first["distance"]["largest"].get<double>());
+  const Json& curve = second["second_order"];
+  EXPECT_GT(curve["curved_edges"].get<int>(), 1000);
+  EXPECT_LT(curve["held_edges"].get<int>(), 20);
+  EXPECT_GE(curve["least_scaled_jacobian"].get<double>(), 0.2);
+  const Mesh mesh = read_mesh(out.file("2.msh"));
+  EXPECT_EQ(mesh.points.size() + mesh.mid.points.size(), second["nodes"].get<std::size_t>());
+  const auto check = run_octet({"check", out.file("2.msh"), bracket()});
+  EXPECT_EQ(check.exit_code, kExitComplete) << check.out;
+  EXPECT_NE(check.out.find("curved-elements"), std::string::npos) << check.out;
+}
+
+TEST(MeshCommand, SecondOrderGivesTheSameBytesFromOneAndTwoThreads) {
+  const TemporaryDirectory out;
+  for (const std::string threads : {"1", "2"}) {
+    ASSERT_EQ(mesh_bracket(out.file(threads + ".msh"), {"--order", "2", "--threads", threads}).exit_code,
+              kExitComplete);
+  }
+  EXPECT_TRUE(read_bytes(out.file("1.msh")) == read_bytes(out.file("2.msh")));
+}
+
+TEST(MeshCommand, OrdersOtherThanOneAndTwoAreRefused) {
+  const TemporaryDirectory out;
+  for (const char* order : {"0", "3", "two"}) {
+    EXPECT_EQ(mesh_bracket(out.file("a.msh"), {"--order", order}).exit_code, kExitBadInput) << order;
+  }
+  EXPECT_TRUE(out.names().empty());
+}
+
 TEST(MeshCommand, SaysWhichLengthToDefeatureBy) {
   const TemporaryDirectory out;
   const TopoDS_Shape block = BRepPrimAPI_MakeBox(10.0, 10.0, 10.0).Shape();

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "mesh/mid_nodes.h"
 #include "tests/support/model_meshes.h"
 
 namespace octet {
@@ -357,6 +358,89 @@ TEST(Acceptance, ManyFaultsAreListedInPartAndTellAllTheirPlaces) {
   ASSERT_EQ(claim->places.size(), moved.size());
   for (const Vec3& place : claim->places)
     EXPECT_NE(std::find(moved.begin(), moved.end(), place), moved.end()) << place.transpose();
+}
+
+/// A ball of second order, its nodes on the sphere.
+Mesh curved_ball(const Model& model) {
+  Mesh mesh = test::ball_mesh(model, 1.0, 2);
+  mesh.mid = straight_mid_nodes(mesh);
+  for (std::size_t m = 0; m < mesh.mid.points.size(); ++m)
+    if (mesh.mid.on[m].dim == 2) mesh.mid.points[m].normalize();
+  return mesh;
+}
+
+/// A node in the middle of an edge on the face.
+std::size_t node_on_face(const Mesh& mesh) {
+  std::size_t m = 0;
+  while (mesh.mid.on[m].dim != 2) ++m;
+  return m;
+}
+
+TEST(AcceptanceOfSecondOrder, AGoodBallPassesTwoClaimsMore) {
+  const Model model = analytic_ball(1.0);
+  Mesh mesh = curved_ball(model);
+  EXPECT_EQ(broken_claims(mesh, model), std::vector<std::string>{});
+  EXPECT_EQ(accept_mesh(mesh, model).claims.size(), 24u);
+  // On the straight edge, and half-way to it, is no fault: elements may have been in the way.
+  const std::size_t m = node_on_face(mesh);
+  const Vec3 straight = 0.5 * (mesh.points[mesh.mid.between[m][0]] + mesh.points[mesh.mid.between[m][1]]);
+  for (const double share : {0.5, 1.0}) {
+    mesh.mid.points[m] += share * (straight - mesh.mid.points[m]);
+    EXPECT_EQ(broken_claims(mesh, model), std::vector<std::string>{});
+  }
+}
+
+TEST(AcceptanceOfSecondOrder, ANodeOffItsFaceIsCaught) {
+  const Model model = analytic_ball(1.0);
+  Mesh mesh = curved_ball(model);
+  const std::size_t m = node_on_face(mesh);
+  mesh.mid.points[m] *= 1.1;
+  const Acceptance acceptance = accept_mesh(mesh, model);
+  EXPECT_EQ(broken_claims(mesh, model), std::vector<std::string>{"mid-nodes"});
+  const Claim& claim = *std::find_if(acceptance.claims.begin(), acceptance.claims.end(),
+                                     [](const Claim& c) { return c.name == "mid-nodes"; });
+  ASSERT_EQ(claim.faults.size(), 1u);
+  EXPECT_EQ(claim.faults[0].entity, mesh.mid.on[m]);
+  EXPECT_EQ(claim.faults[0].place, mesh.mid.points[m]);
+}
+
+TEST(AcceptanceOfSecondOrder, AnElementTurnedOverIsCaught) {
+  const Model model = analytic_ball(1.0);
+  Mesh mesh = curved_ball(model);
+  std::size_t inside = 0;
+  while (mesh.mid.on[inside].dim != 3) ++inside;
+  mesh.mid.points[inside] += Vec3(0.9, 0.9, 0.9);
+  EXPECT_EQ(broken_claims(mesh, model), std::vector<std::string>{"curved-elements"});
+}
+
+TEST(AcceptanceOfSecondOrder, NodesOfOtherEdgesAndTwinsAndStraysAreCaught) {
+  const Model model = analytic_ball(1.0);
+  const Mesh good = curved_ball(model);
+  const auto expect_caught = [&](const std::function<void(Mesh&)>& spoil, const char* what) {
+    Mesh mesh = good;
+    spoil(mesh);
+    EXPECT_EQ(broken_claims(mesh, model), std::vector<std::string>{"mid-nodes"}) << what;
+  };
+  expect_caught([](Mesh& mesh) { std::swap(mesh.mid.of_tets[0][0], mesh.mid.of_tets[0][5]); }, "swapped");
+  expect_caught(
+      [](Mesh& mesh) {
+        const auto m = mesh.mid.of_tets[0][0];
+        mesh.mid.of_tets[0][0] = static_cast<Mesh::Index>(mesh.mid.points.size());
+        mesh.mid.points.push_back(mesh.mid.points[m]);
+        mesh.mid.on.push_back(mesh.mid.on[m]);
+        mesh.mid.between.push_back(mesh.mid.between[m]);
+      },
+      "an edge with two nodes");
+  expect_caught(
+      [](Mesh& mesh) {
+        mesh.mid.points.push_back(Vec3::Zero());
+        mesh.mid.on.push_back(model_region(1));
+        mesh.mid.between.push_back({0, 1});
+      },
+      "a node of no element");
+  expect_caught([](Mesh& mesh) { mesh.mid.on[node_on_face(mesh)] = model_region(1); }, "on the wrong entity");
+  expect_caught([](Mesh& mesh) { mesh.mid.of_triangles.pop_back(); }, "a triangle of first order");
+  expect_caught([](Mesh& mesh) { mesh.mid.of_tets[3][2] = 1'000'000; }, "no such node");
 }
 
 TEST(Acceptance, CostlyClaimsCanBeLeftOut) {

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "io/write.h"
+#include "mesh/mid_nodes.h"
 #include "tests/support/box_mesh.h"
 
 namespace octet {
@@ -73,6 +74,35 @@ TEST(InpWrite, ElementsAndNodesAreTheMeshsInItsOrder) {
   for (std::size_t t = 0; t < mesh.tets.size(); ++t)
     for (std::size_t k = 0; k < 4; ++k)
       EXPECT_EQ(elements->lines[t][k + 1], static_cast<double>(mesh.tets[t][k] + 1));
+}
+
+/// The last six nodes of a C3D10: which two corners each is between. [CalculiX, "Ten-node tetrahedral
+/// element"]
+TEST(InpWrite, ElementsOfSecondOrderHaveTheirNodesWhereTheManualsHaveThem) {
+  constexpr std::size_t kBetween[6][2] = {{1, 2}, {2, 3}, {3, 1}, {1, 4}, {2, 4}, {3, 4}};
+  Mesh mesh = test::plain_box_mesh(2);
+  mesh.mid = straight_mid_nodes(mesh);
+  const auto deck = deck_of(mesh, {});
+  const Block* nodes = block(deck, "*NODE, NSET=Nall");
+  ASSERT_TRUE(nodes != nullptr && nodes->lines.size() == mesh.points.size() + mesh.mid.points.size());
+  const auto place = [&](double node) {
+    const auto& line = nodes->lines[static_cast<std::size_t>(node) - 1];
+    return Vec3(line[1], line[2], line[3]);
+  };
+  const Block* elements = block(deck, "*ELEMENT, TYPE=C3D10, ELSET=Solid1");
+  ASSERT_TRUE(elements != nullptr && elements->lines.size() == mesh.tets.size());
+  for (const auto& line : elements->lines) {
+    ASSERT_EQ(line.size(), 11u);
+    for (std::size_t k = 0; k < 6; ++k)
+      EXPECT_LT(
+          (place(line[5 + k]) - 0.5 * (place(line[kBetween[k][0]]) + place(line[kBetween[k][1]]))).norm(),
+          1e-11);
+  }
+  const Block* face = block(deck, "*NSET, NSET=Face1");
+  ASSERT_TRUE(face != nullptr);
+  std::size_t in_set = 0;
+  for (const auto& line : face->lines) in_set += line.size();
+  EXPECT_EQ(in_set, 25u);  // of a grid of 2 x 2 squares cut in two: 9 corners and 16 middles
 }
 
 TEST(InpWrite, SurfacesAreTheSidesThatLieOnTheirFaceInTheManualsNumbers) {

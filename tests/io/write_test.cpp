@@ -9,11 +9,13 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <string>
 
 #include "base/error.h"
 #include "io/msh_read.h"
 #include "io/vtu_read.h"
+#include "mesh/mid_nodes.h"
 #include "tests/support/box_mesh.h"
 
 namespace octet {
@@ -60,6 +62,15 @@ Mesh crooked_mesh() {
   return mesh;
 }
 
+/// Of second order, with nodes off the middles of their edges.
+Mesh crooked_second_order_mesh(int cells) {
+  Mesh mesh = test::plain_box_mesh(cells);
+  mesh.mid = straight_mid_nodes(mesh);
+  for (std::size_t m = 0; m < mesh.mid.points.size(); ++m)
+    mesh.mid.points[m] += Vec3(1e-3 / 3.0, -1e-4, 1e-5) * static_cast<double>(m % 7);
+  return mesh;
+}
+
 /// What read_mesh does, without the disk.
 Mesh read_bytes(const std::string& bytes, MeshFormat format) {
   return assemble_mesh(format == MeshFormat::kVtu ? read_vtu(bytes) : read_msh(bytes));
@@ -77,6 +88,12 @@ void expect_same(const Mesh& a, const Mesh& b) {
   EXPECT_EQ(a.triangle_on, b.triangle_on);
   EXPECT_EQ(a.tets, b.tets);
   EXPECT_EQ(a.tet_in, b.tet_in);
+  EXPECT_EQ(a.mid.points, b.mid.points);
+  EXPECT_EQ(a.mid.on, b.mid.on);
+  EXPECT_EQ(a.mid.between, b.mid.between);
+  EXPECT_EQ(a.mid.of_edges, b.mid.of_edges);
+  EXPECT_EQ(a.mid.of_triangles, b.mid.of_triangles);
+  EXPECT_EQ(a.mid.of_tets, b.mid.of_tets);
 }
 
 TEST_F(Write, EveryFormatGivesBackTheMeshToTheBit) {
@@ -87,6 +104,59 @@ TEST_F(Write, EveryFormatGivesBackTheMeshToTheBit) {
     expect_same(mesh, read_mesh(directory_ / "a"));
   }
   EXPECT_EQ(file_count(), 1u);
+}
+
+TEST_F(Write, EveryFormatGivesBackAMeshOfSecondOrder) {
+  const Mesh mesh = crooked_second_order_mesh(2);
+  for (const MeshFormat format : kFormats) {
+    SCOPED_TRACE(static_cast<int>(format));
+    write_mesh(directory_ / "a", mesh, test::plain_box_outline(kSize, true), format);
+    expect_same(mesh, read_mesh(directory_ / "a"));
+    const Mesh scaled = read_mesh(directory_ / "a", 2.0);
+    EXPECT_EQ(scaled.points.back(), 2.0 * mesh.points.back());
+    EXPECT_EQ(scaled.mid.points.back(), 2.0 * mesh.mid.points.back());
+  }
+}
+
+/// Where the manuals put the ten nodes: which two corners each of the last six is between.
+/// [Gmsh reference manual, "Node ordering"]
+TEST_F(Write, NodesInMiddlesStandWhereTheManualOfMshHasThem) {
+  constexpr int kBetween[6][2] = {{0, 1}, {1, 2}, {0, 2}, {0, 3}, {2, 3}, {1, 3}};
+  Mesh mesh = test::plain_box_mesh(1);
+  mesh.mid = straight_mid_nodes(mesh);
+  write_mesh(directory_ / "a", mesh, {}, MeshFormat::kMsh22Ascii);
+  std::ifstream in(directory_ / "a");
+  std::string line;
+  while (std::getline(in, line) && line != "$Nodes") {
+  }
+  std::size_t count = 0;
+  in >> count;
+  std::vector<Vec3> points(count + 1);
+  for (std::size_t i = 0; i < count; ++i) {
+    std::size_t tag = 0;
+    in >> tag;
+    in >> points[tag].x() >> points[tag].y() >> points[tag].z();
+  }
+  while (std::getline(in, line) && line != "$Elements") {
+  }
+  std::size_t tets = 0;
+  for (in >> count; count > 0; --count) {
+    int tag = 0, type = 0, tags = 0, physical = 0, elementary = 0;
+    in >> tag >> type >> tags >> physical >> elementary;
+    EXPECT_TRUE(type == 15 || type == 8 || type == 9 || type == 11) << type;
+    std::vector<std::size_t> nodes(type == 15 ? 1 : type == 8 ? 3 : type == 9 ? 6 : 10);
+    for (std::size_t& node : nodes) in >> node;
+    if (type == 8) {
+      EXPECT_EQ(points[nodes[2]], 0.5 * (points[nodes[0]] + points[nodes[1]]));
+    }
+    for (std::size_t k = 0; type == 9 && k < 3; ++k)
+      EXPECT_EQ(points[nodes[3 + k]], 0.5 * (points[nodes[k]] + points[nodes[(k + 1) % 3]]));
+    if (type != 11) continue;
+    ++tets;
+    for (std::size_t k = 0; k < 6; ++k)
+      EXPECT_EQ(points[nodes[4 + k]], 0.5 * (points[nodes[kBetween[k][0]]] + points[nodes[kBetween[k][1]]]));
+  }
+  EXPECT_EQ(tets, mesh.tets.size());
 }
 
 TEST_F(Write, NodesInNoOrderOfEntitiesKeepTheirNumbers) {
@@ -235,8 +305,54 @@ TEST(Format, IsToldByNameElseBySuffix) {
   EXPECT_THROW((void)mesh_format("a.msh", "stl"), InputError);
 }
 
-TEST_F(Read, EveryTruncationIsAnError) {
-  const Mesh mesh = test::plain_box_mesh(1);
+TEST_F(Read, ElementsOfBothOrdersAreRefused) {
+  Mesh mesh = crooked_second_order_mesh(1);
+  write_mesh(directory_ / "a", mesh, {}, MeshFormat::kMsh22Ascii);
+  std::string text = bytes_of(directory_ / "a");
+  // The first triangle as one of first order: its three middles left out.
+  std::size_t at = text.find("$Elements");
+  while (text[at] != '\0') {
+    at = text.find('\n', at) + 1;
+    std::istringstream line(text.substr(at, text.find('\n', at) - at));
+    std::size_t tag = 0, type = 0;
+    if (!(line >> tag >> type) || type != 9) continue;
+    std::size_t rest[5];
+    for (std::size_t& number : rest) line >> number;
+    text.replace(at, text.find('\n', at) - at,
+                 std::to_string(tag) + " 2 2 " + std::to_string(rest[1]) + " " + std::to_string(rest[2]) +
+                     " " + std::to_string(rest[3]) + " " + std::to_string(rest[4]) + " 1");
+    break;
+  }
+  put_bytes(directory_ / "a", text);
+  try {
+    (void)read_mesh(directory_ / "a");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("of first and of second order"), std::string::npos)
+        << error.what();
+  }
+}
+
+TEST_F(Read, ANodeThatIsACornerAndAMiddleIsRefused) {
+  const Mesh mesh = crooked_second_order_mesh(1);
+  Mesh wrong = mesh;
+  wrong.mid.of_tets[2][3] =
+      static_cast<Mesh::Index>(-static_cast<std::int64_t>(mesh.points.size()));  // node 1
+  write_mesh(directory_ / "a", wrong, {}, MeshFormat::kVtu);
+  try {
+    (void)read_mesh(directory_ / "a");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("is a corner and in the middle"), std::string::npos)
+        << error.what();
+  }
+}
+
+class Truncation : public Files, public ::testing::WithParamInterface<bool> {};
+INSTANTIATE_TEST_SUITE_P(Orders, Truncation, ::testing::Bool());
+
+TEST_P(Truncation, IsAlwaysAnError) {
+  const Mesh mesh = GetParam() ? crooked_second_order_mesh(1) : test::plain_box_mesh(1);
   for (const MeshFormat format : kFormats) {
     write_mesh(directory_ / "a", mesh, test::plain_box_outline(kSize, true), format);
     const std::string whole = bytes_of(directory_ / "a");
@@ -391,13 +507,13 @@ TEST_F(Read, TheOtherByteOrderIsTurned) {
 
 TEST_F(Read, UnknownElementTypesAreNamed) {
   put_bytes(directory_ / "a",
-            "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n1\n1 0 0 0\n$EndNodes\n$Elements\n1\n1 11 0 1\n"
+            "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n1\n1 0 0 0\n$EndNodes\n$Elements\n1\n1 5 0 1\n"
             "$EndElements\n");
   try {
     (void)read_mesh(directory_ / "a");
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("element type 11"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("element type 5 "), std::string::npos);
   }
 }
 

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "mesh/local_size.h"
+#include "mesh/mid_nodes.h"
 #include "tests/support/box_mesh.h"
 
 namespace octet {
@@ -35,6 +36,21 @@ TEST(QualityTable, CountsEachElementOnceAndAgreesWithTheSummary) {
   EXPECT_NEAR(table.all[2].mean, summary.mean_mean_ratio, 1e-12);
   EXPECT_EQ(table.free[0].count + table.limited, table.tets);
   EXPECT_EQ(table.edges.count, tet_edges(mesh).size());
+}
+
+TEST(QualityTable, TellsTheScaledJacobianOfElementsOfSecondOrder) {
+  Mesh mesh = test::plain_box_mesh(2);
+  const std::vector<double> size(mesh.points.size(), 1.0);
+  mesh.mid = straight_mid_nodes(mesh);
+  const QualityTable straight = quality_table(mesh, size, 1);
+  ASSERT_EQ(straight.all.size(), 6u);
+  EXPECT_EQ(straight.all.back().name, "scaled Jacobian");
+  EXPECT_NEAR(straight.all.back().least, 1.0, 1e-12);
+  mesh.mid.points[mesh.mid.of_tets[0][2]] += Vec3(0.05, -0.05, 0.02);
+  const QualityTable bent = quality_table(mesh, size, 1);
+  EXPECT_LT(bent.all.back().least, 0.99);
+  EXPECT_GT(bent.all.back().least, 0.0);
+  EXPECT_EQ(bent.all.back().count, mesh.tets.size());
 }
 
 TEST(QualityTable, TheWorstElementIsNamedWithItsEntities) {
