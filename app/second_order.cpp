@@ -41,11 +41,9 @@ void raise_order(MeshResult& result, const Model& model, Observer& observer) {
   MeshReport& report = result.report;
   const Mesh& mesh = result.mesh;
   report.curve = curve_mesh(result.mesh, model, observer);
-  report.acceptance.filled =
-      sums_by(mesh.tet_in,
-              values_of(mesh.tets.size(),
-                        [&](std::size_t t) { return jacobian_form(quadratic_tet(mesh, t)).volume(); }),
-              model.count(3));
+  report.acceptance.filled = sums_by(
+      mesh.tet_in, values_of(mesh.tets.size(), [&](std::size_t t) { return quadratic_volume(mesh, t); }),
+      model.count(3));
   report.volume = std::accumulate(report.acceptance.filled.begin(), report.acceptance.filled.end(), 0.0);
   set_areas(sums_by(mesh.triangle_on,
                     values_of(mesh.triangles.size(), [&](std::size_t t) { return quadratic_area(mesh, t); }),

@@ -58,8 +58,9 @@ Background on_mesh(const std::filesystem::path& path, std::vector<double> sizes)
   else if (sizes.size() == mesh.points.size())
     field.point_size = std::move(sizes);
   else
-    throw InputError(fmt::format("it has {} sizes; the mesh has {} tetrahedra and {} nodes", sizes.size(),
-                                 mesh.tets.size(), mesh.points.size()));
+    throw InputError(fmt::format("it has {} sizes; the mesh has {} tetrahedra and {} nodes{}", sizes.size(),
+                                 mesh.tets.size(), mesh.points.size(),
+                                 mesh.mid.empty() ? "" : " at their corners"));
   return field;
 }
 

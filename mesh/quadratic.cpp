@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 
+#include "mesh/quality.h"
 #include "mesh/tet_mesh.h"
 
 namespace octet {
@@ -135,6 +136,23 @@ QuadraticTet quadratic_tet(const Mesh& mesh, std::size_t t) {
   for (std::size_t i = 0; i < 4; ++i) tet[i] = mesh.points[mesh.tets[t][i]];
   for (std::size_t e = 0; e < 6; ++e) tet[4 + e] = mesh.mid.points[mesh.mid.of_tets[t][e]];
   return tet;
+}
+
+bool has_straight_edges(const Mesh& mesh, std::size_t t) {
+  const auto& tet = mesh.tets[t];
+  const auto& mids = mesh.mid.of_tets[t];
+  for (std::size_t e = 0; e < 6; ++e) {
+    const Vec3 &a = mesh.points[tet[static_cast<std::size_t>(kTetEdge[e][0])]],
+               &b = mesh.points[tet[static_cast<std::size_t>(kTetEdge[e][1])]];
+    if (mesh.mid.points[mids[e]] != 0.5 * (a + b)) return false;
+  }
+  return true;
+}
+
+double quadratic_volume(const Mesh& mesh, std::size_t t) {
+  if (!has_straight_edges(mesh, t)) return jacobian_form(quadratic_tet(mesh, t)).volume();
+  const auto& v = mesh.tets[t];
+  return signed_volume(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], mesh.points[v[3]]);
 }
 
 double JacobianForm::least() const { return *std::min_element(coefficient.begin(), coefficient.end()); }

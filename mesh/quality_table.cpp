@@ -27,7 +27,9 @@ std::array<double, kMeasures> measures_of(const Mesh& mesh, std::size_t t) {
           mean_ratio(a, b, c, d),
           radius_ratio(a, b, c, d),
           aspect(a, b, c, d),
-          mesh.mid.empty() ? 1.0 : scaled_jacobian(jacobian_form(quadratic_tet(mesh, t)))};
+          mesh.mid.empty() || has_straight_edges(mesh, t)
+              ? 1.0
+              : scaled_jacobian(jacobian_form(quadratic_tet(mesh, t)))};
 }
 
 /// The distributions without their values: names and bins.

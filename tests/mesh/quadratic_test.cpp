@@ -8,6 +8,7 @@
 #include <limits>
 #include <random>
 
+#include "mesh/mid_nodes.h"
 #include "mesh/quality.h"
 #include "mesh/tet_mesh.h"
 
@@ -139,6 +140,20 @@ TEST(LeastJacobian, IsNotAboveNoughtForAnElementTurnedOver) {
   EXPECT_LT(least_jacobian(jacobian_form(tet), 1e-3), 0.0);
   std::swap(tet[0], tet[1]);
   EXPECT_LT(scaled_jacobian(jacobian_form(straight({tet[0], tet[1], tet[2], tet[3]}))), 0.0);
+}
+
+TEST(QuadraticVolume, IsThatOfTheCornersWhereEdgesAreStraightAndOfTheFormElsewhere) {
+  Mesh mesh;
+  const QuadraticTet bent_tet = bent(0.1, 3);
+  mesh.points.assign(bent_tet.begin(), bent_tet.begin() + 4);
+  mesh.tets = {{0, 1, 2, 3}};
+  mesh.tet_in = {1};
+  mesh.mid = straight_mid_nodes(mesh);
+  EXPECT_TRUE(has_straight_edges(mesh, 0));
+  EXPECT_EQ(quadratic_volume(mesh, 0), signed_volume(bent_tet[0], bent_tet[1], bent_tet[2], bent_tet[3]));
+  for (std::size_t e = 0; e < 6; ++e) mesh.mid.points[mesh.mid.of_tets[0][e]] = bent_tet[4 + e];
+  EXPECT_FALSE(has_straight_edges(mesh, 0));
+  EXPECT_EQ(quadratic_volume(mesh, 0), jacobian_form(bent_tet).volume());
 }
 
 TEST(QuadraticArea, IsThatOfAParabolicStripAndOfABentOutline) {
