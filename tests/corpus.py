@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Meshes every part of a folder and prints one table: what came out, what `octet check` says, what judges say.
 
-    tests/corpus.py FOLDER|FILE... [--octet build/app/octet] [--sizes default,40] [--limit 300]
+    tests/corpus.py FOLDER|FILE... [--octet build/app/octet] [--sizes default,40] [--order 1] [--limit 300]
                     [--manifest TSV --difficulty easy --kind solid] [--meshstat PATH] [--meshvscad PATH]
                     [--keep DIR] [--jobs 1] [--turns 3 --turner build/tests/geom/occt/octet_turn_part]
 
@@ -50,6 +50,7 @@ def arguments():
     add_choice(parser)
     parser.add_argument("--octet", default="build/app/octet")
     parser.add_argument("--sizes", default="default,40", help="comma separated: default, N for diagonal/N, =N for N elements")
+    parser.add_argument("--order", choices=("1", "2"), default="1", help="of the elements")
     parser.add_argument("--limit", type=float, default=300.0, help="seconds a run may take")
     parser.add_argument("--assemblies", action="store_true", help="tell regions, shared faces, volumes of regions")
     parser.add_argument("--meshstat")
@@ -173,7 +174,7 @@ def run_one(args, part, size, folder, standing):
     except RuntimeError as error:
         row.update(status="refused", why=str(error))
         return row
-    command = [args.octet, "mesh", part, "-o", mesh, "--report", report_file, "--quiet"] + options
+    command = [args.octet, "mesh", part, "-o", mesh, "--report", report_file, "--quiet", "--order", args.order] + options
     code, _, err, seconds = call(command, args.limit)
     row["seconds"] = f"{seconds:.1f}"
     row["status"] = "timeout" if code is None else STATUS.get(code, f"crash {code}")

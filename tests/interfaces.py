@@ -13,8 +13,9 @@ import sys
 from array import array
 from collections import defaultdict
 
-TRIANGLE, TETRAHEDRON = 2, 4
-NODES = {15: 1, 1: 2, TRIANGLE: 3, TETRAHEDRON: 4}
+# By MSH's number of a kind of element: its nodes and its corners, which come first.
+NODES = {15: 1, 1: 2, 2: 3, 4: 4, 8: 3, 9: 6, 11: 10}
+CORNERS = {2: 3, 9: 3, 4: 4, 11: 4}
 
 
 class Reader:
@@ -72,8 +73,9 @@ def read_mesh(path):
         _, tag, kind = reader.take("i", 3)
         (count,) = reader.take("Q", 1)
         rows = reader.rows(count, 1 + NODES[kind])
-        if kind in (TRIANGLE, TETRAHEDRON):
-            (triangles if kind == TRIANGLE else tets).extend((tag, row) for row in rows)
+        corners = CORNERS.get(kind, 0)
+        if corners:
+            (triangles if corners == 3 else tets).extend((tag, row[:corners]) for row in rows)
     return volumes_of, triangles, tets
 
 
