@@ -138,6 +138,7 @@ class Run {
   }
 
   void choose_size() {
+    begin("sizes", 0.0);
     if (!std::isfinite(options_.size) || options_.size < 0.0)
       throw InputError(fmt::format("the size must be a positive number, not {}", options_.size));
     const double h = global_size(model_, options_);
@@ -529,8 +530,8 @@ class Run {
   bool again_ = false;              ///< the next try is from there
 };
 
-/// What the making of a mesh took besides its own stages, where others were made before it.
-StageTime other_tries(StageTime whole, const std::vector<StageTime>& own) {
+/// What the making of a mesh took besides its own stages.
+StageTime beside_stages(StageTime whole, const std::vector<StageTime>& own) {
   for (const StageTime& stage : own) {
     whole.seconds -= stage.seconds;
     whole.cpu_seconds -= stage.cpu_seconds;
@@ -538,6 +539,18 @@ StageTime other_tries(StageTime whole, const std::vector<StageTime>& own) {
   whole.seconds = std::max(0.0, whole.seconds);
   whole.cpu_seconds = std::max(0.0, whole.cpu_seconds);
   return whole;
+}
+
+/// Where others were made before the mesh, what they took is told as such; else only sizes were looked for.
+void add_rest(const StageTime& rest, int makings, std::vector<StageTime>& times) {
+  const auto sizes =
+      std::find_if(times.begin(), times.end(), [](const StageTime& time) { return time.name == "sizes"; });
+  if (makings > 1 || sizes == times.end()) {
+    times.insert(times.begin(), rest);
+    return;
+  }
+  sizes->seconds += rest.seconds;
+  sizes->cpu_seconds += rest.cpu_seconds;
 }
 
 }  // namespace
@@ -568,8 +581,7 @@ MeshResult mesh_part(const Model& model, const MeshOptions& options, Observer& o
   });
   if (options.order == 2) arena.execute([&] { raise_order(result, model, observer); });
   MeshReport& report = result.report;
-  if (makings > 1)
-    report.times.insert(report.times.begin(), other_tries(clock.lap("other tries"), report.times));
+  add_rest(beside_stages(clock.lap("other tries"), report.times), makings, report.times);
   report.faults.insert(report.faults.begin(), model.parts().faults.begin(), model.parts().faults.end());
   if (!report.faults.empty()) report.status = MeshStatus::kIncomplete;
   return result;

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 #include "app/element_estimate.h"
+#include "geom/wall_sizing.h"
 
 namespace octet {
 namespace {
@@ -41,12 +43,20 @@ Sized sized(const Model& model, const MeshOptions& options) {
   return {options, std::move(plan), elements};
 }
 
-/// With as many elements on a circle as a small mesh has room for.
+/// With as many elements on a circle as a small mesh has room for. Counts go about with the square of that
+/// number, and what goes far beyond the room by this is not tried.
 Sized with_rounder_faces(const Model& model, Sized given) {
+  constexpr double kFarBeyond = 1.2;
+  const double given_square = std::pow(2.0 * M_PI / given.options.curvature_angle, 2);
+  double rise = 0.0;  // of the count with the square
   for (const int on_a_circle : {20, 16, 13}) {
+    const double more = on_a_circle * on_a_circle - given_square;
+    if (given.elements + rise * more > kFarBeyond * kSmallMesh) continue;
     MeshOptions options = given.options;
     options.curvature_angle = 2.0 * M_PI / on_a_circle;
-    if (Sized rounder = sized(model, options); rounder.elements <= kSmallMesh) return rounder;
+    Sized rounder = sized(model, options);
+    if (rounder.elements <= kSmallMesh) return rounder;
+    rise = (rounder.elements - given.elements) / more;
   }
   return given;
 }
@@ -101,6 +111,7 @@ MeshOptions with_default_size(const Model& model, const MeshOptions& options) {
   chosen.size = global_size(model, options);
   chosen.suit_curvature = true;
   if (options.small_regions) chosen.region_scale = 1.0;
+  if (!chosen.walls) chosen.walls = std::make_shared<WallMemo>();
   if (!has_free_sizes(options)) return chosen;
   Sized first = sized(model, chosen);
   if (first.elements < kSmallMesh && has_free_curvature(options))

@@ -114,7 +114,7 @@ class Planner {
     options.gap_elements = control_.gap_elements;
     options.budget = control_.wall_budget;
     options.cancelled = control_.cancelled;
-    take(wall_sizes(model_, options));
+    take(control_.walls ? control_.walls->sizes(model_, options) : wall_sizes(model_, options));
   }
 
   /// Entities with their sizes; a region may be coarser than the rest.

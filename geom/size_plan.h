@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,8 @@
 #include "geom/size_attributes.h"
 
 namespace octet {
+
+class WallMemo;  ///< geom/wall_sizing.h
 
 /// Edge lengths in model units (millimetre), angles in radians.
 struct SizeControl {
@@ -32,6 +35,9 @@ struct SizeControl {
   std::vector<SizeAttribute> attributes;
   SizeField background;             ///< wishes over space; only those below the size asked for count
   std::function<bool()> cancelled;  ///< asked often; true ends planning with Cancelled; may be empty
+  /// Where several plans are made of one part, one after the other: what the last one found of walls. May be
+  /// empty.
+  std::shared_ptr<WallMemo> walls;
 };
 
 /// What the octree is built from.

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 #include "base/blocks.h"
@@ -374,6 +375,17 @@ std::vector<SizeSample> wall_sizes(const Model& model, const WallOptions& option
     if (model.facets().triangles.size() > kCountless && !search(share, kStride)) continue;
     if (auto samples = search(tried, 1)) return *std::move(samples);
   }
+}
+
+const std::vector<SizeSample>& WallMemo::sizes(const Model& model, const WallOptions& options) {
+  const auto question = [](const WallOptions& o) {
+    return std::tie(o.size, o.min_size, o.wall_elements, o.gap_elements, o.budget);
+  };
+  if (model_ == &model && question(options_) == question(options)) return samples_;
+  samples_ = wall_sizes(model, options);
+  model_ = &model;
+  options_ = options;
+  return samples_;
 }
 
 }  // namespace octet

@@ -26,4 +26,16 @@ struct WallOptions {
 /// of a knife has no lower bound. Within the budget the smallest size is doubled until the wishes fit.
 [[nodiscard]] std::vector<SizeSample> wall_sizes(const Model& model, const WallOptions& options);
 
+/// What was found of walls and gaps last, for a search that asks for the same.
+class WallMemo {
+ public:
+  /// As wall_sizes(), which is called where the question is another one than the last.
+  [[nodiscard]] const std::vector<SizeSample>& sizes(const Model& model, const WallOptions& options);
+
+ private:
+  const Model* model_ = nullptr;
+  WallOptions options_;
+  std::vector<SizeSample> samples_;
+};
+
 }  // namespace octet

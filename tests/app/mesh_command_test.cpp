@@ -51,6 +51,25 @@ TEST(MeshCommand, MeshesTheBracketCompletely) {
   EXPECT_EQ(out.names(), (std::vector<std::string>{"a.json", "a.msh"}));
 }
 
+TEST(MeshCommand, TellsWhereAllOfItsTimeWent) {
+  const TemporaryDirectory out;
+  const auto run = mesh_bracket(out.file("a.msh"), {"--report", out.file("a.json")});
+  ASSERT_EQ(run.exit_code, kExitComplete) << run.out << run.err;
+  const Json report = Json::parse(read_bytes(out.file("a.json")));
+  std::vector<std::string> stages;
+  double told = 0.0;
+  for (const Json& time : report["times"]) {
+    stages.push_back(time["stage"]);
+    told += time["seconds"].get<double>();
+  }
+  EXPECT_EQ(stages, (std::vector<std::string>{"reading", "sizes", "octree", "cuts", "points", "triangulation",
+                                              "classification", "extraction", "finalization", "interior",
+                                              "acceptance", "summary", "writing"}));
+  // The program's start is all that no stage has.
+  EXPECT_GT(told, 0.5 * run.seconds);
+  EXPECT_LE(told, run.seconds);
+}
+
 TEST(MeshCommand, MakesElementsOfSecondOrderThatFollowTheCad) {
   const TemporaryDirectory out;
   const auto run = mesh_bracket(out.file("2.msh"), {"--order", "2", "--report", out.file("2.json")});
