@@ -22,8 +22,9 @@ constexpr double kWidestAngle = M_PI / 3.0;
 /// those of parts with many small features down to six tenths: meshes have 2 000 to 500 000 elements.
 constexpr double kFewest = 4'000.0, kMost = 290'000.0;
 
-/// Up to this estimate a mesh without a size follows curved faces more closely.
-constexpr double kSmallMesh = 40'000.0;
+/// A mesh without a size follows curved faces more closely as far as that leaves it below this estimate, or
+/// costs no more than a quarter of its elements: where most of these are for something else.
+constexpr double kSmallMesh = 40'000.0, kLittleMore = 1.25;
 
 /// Whether nothing is asked for about curved faces, or for a number of elements, which all sizes serve.
 bool has_free_curvature(const MeshOptions& options) {
@@ -43,19 +44,20 @@ Sized sized(const Model& model, const MeshOptions& options) {
   return {options, std::move(plan), elements};
 }
 
-/// With as many elements on a circle as a small mesh has room for. Counts go about with the square of that
+/// With as many elements on a circle as the mesh has room for. Counts go about with the square of that
 /// number, and what goes far beyond the room by this is not tried.
 Sized with_rounder_faces(const Model& model, Sized given) {
   constexpr double kFarBeyond = 1.2;
+  const double room = std::max(kSmallMesh, std::min(kMost, kLittleMore * given.elements));
   const double given_square = std::pow(2.0 * M_PI / given.options.curvature_angle, 2);
   double rise = 0.0;  // of the count with the square
   for (const int on_a_circle : {20, 16, 13}) {
     const double more = on_a_circle * on_a_circle - given_square;
-    if (given.elements + rise * more > kFarBeyond * kSmallMesh) continue;
+    if (given.elements + rise * more > kFarBeyond * room) continue;
     MeshOptions options = given.options;
     options.curvature_angle = 2.0 * M_PI / on_a_circle;
     Sized rounder = sized(model, options);
-    if (rounder.elements <= kSmallMesh) return rounder;
+    if (rounder.elements <= room) return rounder;
     rise = (rounder.elements - given.elements) / more;
   }
   return given;
@@ -114,7 +116,7 @@ MeshOptions with_default_size(const Model& model, const MeshOptions& options) {
   if (!chosen.walls) chosen.walls = std::make_shared<WallMemo>();
   if (!has_free_sizes(options)) return chosen;
   Sized first = sized(model, chosen);
-  if (first.elements < kSmallMesh && has_free_curvature(options))
+  if (first.elements < kMost && has_free_curvature(options))
     first = with_rounder_faces(model, std::move(first));
   const double wanted = std::clamp(first.elements, kFewest, kMost);
   if (wanted == first.elements) return first.options;

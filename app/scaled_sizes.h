@@ -22,9 +22,10 @@ namespace octet {
 [[nodiscard]] bool has_free_sizes(const MeshOptions& options);
 
 /// Where no size is asked for: the part's default size, with octants that suit its commonest radius. When
-/// nothing else is asked for either, meshes of few elements get more of them on a circle (20, 16 or 13, while
-/// they stay below 40 000 by estimate), and a size that promises fewer than 2 000 or more than 500 000
-/// elements is scaled to the nearer of them, whatever the radius. Other options are returned as they are.
+/// nothing else is asked for either, they get more elements on a circle where that costs little (20, 16 or
+/// 13, while they stay below 40 000 by estimate, or grow by a quarter at most), and a size that promises
+/// fewer than 2 000 or more than 500 000 elements is scaled to the nearer of them, whatever the radius. Other
+/// options are returned as they are.
 [[nodiscard]] MeshOptions with_default_size(const Model& model, const MeshOptions& options);
 
 }  // namespace octet

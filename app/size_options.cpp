@@ -116,7 +116,7 @@ void add_size_options(CLI::App& command, SizeWords& words) {
   number(
       "--curvature", words.curvature,
       "Elements on a full circle, or the angle of one as 20deg; 0: off (default: 11; up to 20 where no size "
-      "is asked for and the mesh stays small)",
+      "is asked for and it costs little)",
       "N");
   number("--wall-elements", words.wall_elements, "Elements across walls; 0: off (default: 1)", "N");
   number("--gap-elements", words.gap_elements,

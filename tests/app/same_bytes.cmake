@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Builds the program with another compiler and compares the bytes of the meshes that both programs write.
+# Builds the program with another compiler and compares the bytes of the meshes that both programs write: of second
+# order, whose corners are the mesh of first order.
 #   cmake -D SOURCE=<root> -D BUILD=<folder> -D COMPILER=<c++> -D PROGRAM=<octet> -P same_bytes.cmake
 if(NOT COMPILER)
   message(FATAL_ERROR "clang++ was not found when the build was configured: install clang (scripts/install-packages "
@@ -24,8 +25,8 @@ foreach(part IN LISTS parts)
   set(ours ${BUILD}/${name}-ours.msh)
   set(theirs ${BUILD}/${name}-theirs.msh)
   file(REMOVE ${ours} ${theirs})
-  execute_process(COMMAND ${PROGRAM} mesh ${part} -o ${ours} --quiet RESULT_VARIABLE code_ours ERROR_VARIABLE text)
-  execute_process(COMMAND ${BUILD}/app/octet mesh ${part} -o ${theirs} --quiet RESULT_VARIABLE code_theirs
+  execute_process(COMMAND ${PROGRAM} mesh ${part} -o ${ours} --order 2 --quiet RESULT_VARIABLE code_ours ERROR_VARIABLE text)
+  execute_process(COMMAND ${BUILD}/app/octet mesh ${part} -o ${theirs} --order 2 --quiet RESULT_VARIABLE code_theirs
                   ERROR_VARIABLE text)
   if(NOT code_ours EQUAL code_theirs)
     message(FATAL_ERROR "${name}: exit codes ${code_ours} and ${code_theirs}: ${text}")

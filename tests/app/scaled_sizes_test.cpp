@@ -106,8 +106,15 @@ TEST(ScaledSizes, SmallMeshesFollowCurvedFacesMoreClosely) {
   asked.target_elements = 10'000.0;
   EXPECT_EQ(with_default_size(torus, asked).curvature_angle, usual);
 
-  const Model thin = analytic_hollow_ball(1.0, 0.97, {{}, 1e-3});  // has no room for more
-  EXPECT_EQ(with_default_size(thin, {}).curvature_angle, usual);
+  const Model ring = analytic_torus(1.0, 0.03, {{}, 1e-3});  // curved all over, with no room for more
+  EXPECT_EQ(with_default_size(ring, {}).curvature_angle, usual);
+  const Model thin = analytic_hollow_ball(1.0, 0.97, {{}, 1e-3});  // most elements are for its wall
+  const MeshOptions rounder = with_default_size(thin, {});
+  EXPECT_NEAR(rounder.curvature_angle, 2.0 * M_PI / 20, 1e-12);
+  MeshOptions as_usual = rounder;
+  as_usual.curvature_angle = usual;
+  EXPECT_GT(estimate(thin, as_usual), 40'000.0);
+  EXPECT_LT(estimate(thin, rounder), 1.25 * estimate(thin, as_usual));
 }
 
 TEST(ScaledSizes, ASizeAskedForIsLeftAlone) {
