@@ -2,7 +2,9 @@
 // Walk, cavity, replacement; blocks with slots of their own.
 #include "delaunay/insertion.h"
 
+#include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/partitioner.h>
 
 #include <algorithm>
 
@@ -96,10 +98,18 @@ void insert_in_blocks(Complex& complex, Inserter& all, std::span<const std::uint
   std::vector<Part> parts = parts_of(complex, all, vertices, pending, block_of);
   for (std::uint32_t n = 0; n < parts.size(); ++n)
     for (std::size_t i = parts[n].first; i < parts[n].end; ++i) block_of[vertices[i]] = n;
-  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t n) {
-    Part& part = parts[n];
-    insert_pending(complex, part.inserter, vertices.subspan(part.first, part.end - part.first), pending);
-  });
+  // One block a task: with few of them, a thread that takes two at a time is waited for.
+  const tbb::blocked_range<std::size_t> all_parts(0, parts.size());
+  tbb::parallel_for(
+      all_parts,
+      [&](const tbb::blocked_range<std::size_t>& range) {
+        for (std::size_t n = range.begin(); n != range.end(); ++n) {
+          Part& part = parts[n];
+          insert_pending(complex, part.inserter, vertices.subspan(part.first, part.end - part.first),
+                         pending);
+        }
+      },
+      tbb::simple_partitioner());
   for (const Part& part : parts) {
     const Inserter& done = part.inserter;
     all.free_slots.insert(all.free_slots.end(), done.free_slots.begin(), done.free_slots.end());
