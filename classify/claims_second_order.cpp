@@ -87,7 +87,10 @@ class Betweenness {
 };
 
 double distance_from(const Model& model, ModelRef on, const Vec3& p) {
-  if (on.dim == 1) return model.edge_closest(on.tag, p).distance;
+  if (on.dim == 1) {
+    const bool has_length = model.edge(on.tag).use != EdgeUse::kDegenerate;
+    return has_length ? model.edge_closest(on.tag, p).distance : 0.0;
+  }
   const FaceFoot foot = model.face_project(on.tag, p);
   return foot.converged ? (foot.point - p).norm() : model.face_closest(on.tag, p).distance;
 }

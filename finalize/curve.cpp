@@ -254,7 +254,7 @@ CurveReport report_of(const Mesh& mesh, const Model& model, const Wishes& wishes
                    [](const OffCad& a, const OffCad& b) { return a.distance > b.distance; });
   if (!report.held.empty()) report.farthest = report.held.front();
   for (const auto& far : {farthest_from_faces(mesh, model), farthest_from_edges(mesh, model)})
-    if (far) keep_farther(report.farthest, *far);
+    if (far && far->distance > model.tolerance()) keep_farther(report.farthest, *far);
   report.least_scaled_jacobian = least_of(mesh, curved_tets);
   return report;
 }

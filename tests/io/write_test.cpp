@@ -318,9 +318,9 @@ TEST_F(Read, ElementsOfBothOrdersAreRefused) {
     if (!(line >> tag >> type) || type != 9) continue;
     std::size_t rest[5];
     for (std::size_t& number : rest) line >> number;
-    text.replace(at, text.find('\n', at) - at,
-                 std::to_string(tag) + " 2 2 " + std::to_string(rest[1]) + " " + std::to_string(rest[2]) +
-                     " " + std::to_string(rest[3]) + " " + std::to_string(rest[4]) + " 1");
+    std::ostringstream first_order;
+    first_order << tag << " 2 2 " << rest[1] << ' ' << rest[2] << ' ' << rest[3] << ' ' << rest[4] << " 1";
+    text.replace(at, text.find('\n', at) - at, first_order.str());
     break;
   }
   put_bytes(directory_ / "a", text);
@@ -348,11 +348,15 @@ TEST_F(Read, ANodeThatIsACornerAndAMiddleIsRefused) {
   }
 }
 
-class Truncation : public Files, public ::testing::WithParamInterface<bool> {};
-INSTANTIATE_TEST_SUITE_P(Orders, Truncation, ::testing::Bool());
+/// Files of first order, and of second.
+class ReadBadly : public Files, public ::testing::WithParamInterface<bool> {
+ protected:
+  static Mesh mesh_of_order() { return GetParam() ? crooked_second_order_mesh(1) : test::plain_box_mesh(1); }
+};
+INSTANTIATE_TEST_SUITE_P(Orders, ReadBadly, ::testing::Bool());
 
-TEST_P(Truncation, IsAlwaysAnError) {
-  const Mesh mesh = GetParam() ? crooked_second_order_mesh(1) : test::plain_box_mesh(1);
+TEST_P(ReadBadly, EveryTruncationIsAnError) {
+  const Mesh mesh = mesh_of_order();
   for (const MeshFormat format : kFormats) {
     write_mesh(directory_ / "a", mesh, test::plain_box_outline(kSize, true), format);
     const std::string whole = bytes_of(directory_ / "a");
@@ -399,8 +403,8 @@ TEST_F(Read, VtuMayBeCompressed) {
   expect_same(read_bytes(packed, MeshFormat::kVtu), mesh);
 }
 
-TEST_F(Read, NoChangedByteEverCrashes) {
-  const Mesh mesh = test::plain_box_mesh(1);
+TEST_P(ReadBadly, NoChangedByteEverCrashes) {
+  const Mesh mesh = mesh_of_order();
   std::uint32_t random = 12345;
   const auto next = [&random] { return random = random * 1664525u + 1013904223u; };
   std::size_t refused = 0;
