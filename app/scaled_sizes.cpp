@@ -21,6 +21,9 @@ constexpr double kWidestAngle = M_PI / 3.0;
 /// What a mesh without a size may be estimated at. Estimates of thin sheets are up to three times the truth,
 /// those of parts with many small features down to six tenths: meshes have 2 000 to 500 000 elements.
 constexpr double kFewest = 4'000.0, kMost = 290'000.0;
+/// Logarithm of a share by which an estimate may miss them: it is no truer than that, and each tree of a
+/// search takes its time.
+constexpr double kNear = 0.1;
 
 /// A mesh without a size follows curved faces more closely as far as that leaves it below this estimate, or
 /// costs no more than a quarter of its elements: where most of these are for something else.
@@ -44,23 +47,27 @@ Sized sized(const Model& model, const MeshOptions& options) {
   return {options, std::move(plan), elements};
 }
 
-/// With as many elements on a circle as the mesh has room for. Counts go about with the square of that
-/// number, and what goes far beyond the room by this is not tried.
+/// With as many elements on a circle as the mesh has room for. The least number that is more is tried first;
+/// counts go about with its square, and what goes far beyond the room by this is not tried.
 Sized with_rounder_faces(const Model& model, Sized given) {
-  constexpr double kFarBeyond = 1.2;
+  constexpr double kFarBeyond = 1.1;
   const double room = std::max(kSmallMesh, std::min(kMost, kLittleMore * given.elements));
-  const double given_square = std::pow(2.0 * M_PI / given.options.curvature_angle, 2);
-  double rise = 0.0;  // of the count with the square
-  for (const int on_a_circle : {20, 16, 13}) {
-    const double more = on_a_circle * on_a_circle - given_square;
-    if (given.elements + rise * more > kFarBeyond * room) continue;
+  const auto rounded = [&](double on_a_circle) {
     MeshOptions options = given.options;
     options.curvature_angle = 2.0 * M_PI / on_a_circle;
-    Sized rounder = sized(model, options);
-    if (rounder.elements <= room) return rounder;
-    rise = (rounder.elements - given.elements) / more;
+    return sized(model, options);
+  };
+  const auto more = [&](double on_a_circle) {
+    return on_a_circle * on_a_circle - std::pow(2.0 * M_PI / given.options.curvature_angle, 2);
+  };
+  Sized least = rounded(13.0);
+  if (least.elements > room) return given;
+  const double rise = (least.elements - given.elements) / more(13.0);
+  for (const double on_a_circle : {20.0, 16.0}) {
+    if (given.elements + rise * more(on_a_circle) > kFarBeyond * room) continue;
+    if (Sized rounder = rounded(on_a_circle); rounder.elements <= room) return rounder;
   }
-  return given;
+  return least;
 }
 
 }  // namespace
@@ -88,12 +95,12 @@ MeshOptions scaled_sizes(const Model& model, const MeshOptions& options, double 
 }
 
 double log_scale_for(const Model& model, const std::function<SizePlan(double)>& sizes, double log_elements,
-                     double start) {
+                     double start, double near) {
   constexpr int kMostTrees = 8;
   double x = start, slope = kSlope, last_x = 0.0, last_y = 0.0;
   for (int i = 0; i < kMostTrees; ++i) {
     const double y = std::log(estimated_elements(model, sizes(x)));
-    if (std::abs(y - log_elements) < 0.02) break;
+    if (std::abs(y - log_elements) < near) break;
     if (i > 0 && std::abs(x - last_x) > 1e-6) slope = std::clamp((y - last_y) / (x - last_x), -4.0, -1.0);
     last_x = x;
     last_y = y;
@@ -119,7 +126,7 @@ MeshOptions with_default_size(const Model& model, const MeshOptions& options) {
   if (first.elements < kMost && has_free_curvature(options))
     first = with_rounder_faces(model, std::move(first));
   const double wanted = std::clamp(first.elements, kFewest, kMost);
-  if (wanted == first.elements) return first.options;
+  if (std::abs(std::log(first.elements / wanted)) < kNear) return first.options;
   const auto sizes = [&](double log_scale) {
     MeshOptions scaled = first.options;
     scaled.size *= std::exp(log_scale);
@@ -131,7 +138,7 @@ MeshOptions with_default_size(const Model& model, const MeshOptions& options) {
     return log_scale >= 0.0 ? coarsened(first.plan, std::exp(log_scale))
                             : plan_sizes(model, sizes(log_scale));
   };
-  return sizes(log_scale_for(model, planned, std::log(wanted), 0.0));
+  return sizes(log_scale_for(model, planned, std::log(wanted), 0.0, kNear));
 }
 
 }  // namespace octet

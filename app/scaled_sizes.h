@@ -13,10 +13,10 @@ namespace octet {
 /// sizes grow.
 [[nodiscard]] MeshOptions scaled_sizes(const Model& model, const MeshOptions& options, double scale);
 
-/// The logarithm of the scale at which the octree of sizes(log_scale) promises so many elements, near enough;
-/// the search begins at `start` and takes eight octrees at most.
+/// The logarithm of the scale at which the octree of sizes(log_scale) promises so many elements, but for
+/// `near` in the logarithm of their number; the search begins at `start` and takes eight octrees at most.
 [[nodiscard]] double log_scale_for(const Model& model, const std::function<SizePlan(double)>& sizes,
-                                   double log_elements, double start);
+                                   double log_elements, double start, double near);
 
 /// Whether the user asks for no size at all.
 [[nodiscard]] bool has_free_sizes(const MeshOptions& options);

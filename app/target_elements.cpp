@@ -18,6 +18,8 @@ namespace {
 
 constexpr double kCloseEnough = 0.125;
 constexpr double kSameOctants = 0.01;  // logarithms of scales that are nearer are not told apart
+/// By what the logarithm of an estimate may miss what is wanted.
+constexpr double kNearEstimate = 0.02;
 
 /// A mesh that came out larger than a default mesh may be is tried again for so much of that.
 constexpr double kSafeShare = 0.8;
@@ -62,7 +64,7 @@ MeshResult mesh_to_target(const Model& model, const MeshOptions& options,
   const auto sizes = [&](double log_scale) { return scaled_sizes(model, whole, std::exp(log_scale)); };
   const auto planned = [&](double log_scale) { return plan_sizes(model, sizes(log_scale)); };
   for (int i = 0; i < kMostMeshes; ++i) {
-    if (!crossing(tried)) x = log_scale_for(model, planned, std::log(target) - correction, x);
+    if (!crossing(tried)) x = log_scale_for(model, planned, std::log(target) - correction, x, kNearEstimate);
     MeshResult result = mesh(sizes(x));
     const double count = static_cast<double>(std::max<std::size_t>(result.report.tets, 1));
     if (!best || miss(result) < miss(*best)) best = std::move(result);
