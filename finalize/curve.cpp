@@ -92,8 +92,7 @@ class Wishes {
 /// How far each node goes its way.
 class Curving {
  public:
-  Curving(Mesh& mesh, const Wishes& wishes)
-      : mesh_(mesh), wishes_(wishes), back_(mesh.mid.points.size(), 0), straight_(mesh.mid.points) {
+  Curving(Mesh& mesh, const Wishes& wishes) : mesh_(mesh), wishes_(wishes), back_(mesh.mid.points.size(), 0) {
     for (Index m = 0; m < back_.size(); ++m) mesh_.mid.points[m] += wishes_.way(m);
   }
 
@@ -147,7 +146,9 @@ class Curving {
   /// After going back so often.
   static double share_of_way(int back) { return back > kHalvings ? 0.0 : std::ldexp(1.0, -back); }
   [[nodiscard]] Vec3 place(Index m, int back) const {
-    return back > kHalvings ? straight_[m] : Vec3(straight_[m] + share_of_way(back) * wishes_.way(m));
+    const auto& ends = mesh_.mid.between[m];
+    const Vec3 middle = 0.5 * (mesh_.points[ends[0]] + mesh_.points[ends[1]]);
+    return back > kHalvings ? middle : Vec3(middle + share_of_way(back) * wishes_.way(m));
   }
   [[nodiscard]] bool can_go_back(Index m) const { return wishes_.curved(m) && back_[m] <= kHalvings; }
 
@@ -177,7 +178,6 @@ class Curving {
   Mesh& mesh_;
   const Wishes& wishes_;
   std::vector<std::uint8_t> back_;  ///< how often each node has gone back
-  std::vector<Vec3> straight_;
 };
 
 /// The farther one; the first of two as far.
