@@ -256,7 +256,6 @@ MeshResult mesh_apart(const Model& model, const MeshOptions& options, Observer& 
   MeshOptions each = all;
   each.target_elements = 0.0;
   each.order = 1;
-  each.walls.reset();
   MeshResult whole;
   whole.report.status = MeshStatus::kComplete;
   for (std::size_t b = 0; b < bodies.size(); ++b) {

@@ -146,7 +146,7 @@ std::string quality_csv(const QualityTable& table) {
 /// Per vertex; where a field says nothing, the mesh speaks for itself.
 std::vector<double> sizes_asked_for(const QualityCommand& command, const Mesh& mesh, const LengthUnit& unit) {
   if (command.size) return std::vector<double>(mesh.points.size(), *command.size * unit.millimetres);
-  std::vector<double> sizes = vertex_sizes(mesh, tet_edges(mesh));
+  std::vector<double> sizes = vertex_sizes(mesh, element_edges(mesh));
   if (command.field.empty()) return sizes;
   const SizeField field =
       background_field(scaled(read_size_file(command.field, command.mesh), unit.millimetres));

@@ -50,7 +50,7 @@ MeshResult improve(Mesh mesh, const Model& model, const ImproveOptions& options,
 
   observer.stage("finalization", 0.3);
   FinalizeOptions finalize_options;
-  const std::vector<double> sizes = vertex_sizes(mesh, tet_edges(mesh));
+  const std::vector<double> sizes = vertex_sizes(mesh, element_edges(mesh));
   const SizeLookup lookup(mesh.points, sizes);
   finalize_options.size_at = [&](const Vec3& p) { return options.size > 0.0 ? options.size : lookup.at(p); };
   const FinalizeReport report = finalize(mesh, model, finalize_options, observer);
@@ -61,9 +61,7 @@ MeshResult improve(Mesh mesh, const Model& model, const ImproveOptions& options,
   const double mean = std::accumulate(sizes.begin(), sizes.end(), 0.0) / static_cast<double>(sizes.size());
   result.report.size = options.size > 0.0 ? options.size : mean;
   result.report.acceptance = is_meshed_apart(model) ? accept_apart(mesh, model) : accept_mesh(mesh, model);
-  for (const Claim& claim : result.report.acceptance.claims)
-    if (!claim.holds)
-      result.report.faults.insert(result.report.faults.end(), claim.faults.begin(), claim.faults.end());
+  result.report.faults = faults_of(result.report.acceptance.claims);
   if (result.report.acceptance.holds()) result.report.status = MeshStatus::kComplete;
   measure_mesh(mesh, model, result.report);
   result.report.times.push_back(clock.lap("acceptance"));

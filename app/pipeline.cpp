@@ -481,8 +481,8 @@ class Run {
     begin("acceptance", 0.9);
     MeshReport& report = result_.report;
     report.acceptance = accept_mesh(result_.mesh, part_);
-    for (const Claim& claim : report.acceptance.claims)
-      if (!claim.holds) report.faults.insert(report.faults.end(), claim.faults.begin(), claim.faults.end());
+    const std::vector<Fault> broken = faults_of(report.acceptance.claims);
+    report.faults.insert(report.faults.end(), broken.begin(), broken.end());
     report.shortfall = shortfall();
     report.status =
         report.acceptance.holds() && report.faults.empty() ? MeshStatus::kComplete : MeshStatus::kIncomplete;
@@ -541,16 +541,17 @@ StageTime beside_stages(StageTime whole, const std::vector<StageTime>& own) {
   return whole;
 }
 
-/// Where others were made before the mesh, what they took is told as such; else only sizes were looked for.
-void add_rest(const StageTime& rest, int makings, std::vector<StageTime>& times) {
-  const auto sizes =
-      std::find_if(times.begin(), times.end(), [](const StageTime& time) { return time.name == "sizes"; });
-  if (makings > 1 || sizes == times.end()) {
+/// What no stage has: where others were made before the mesh, their making; else looking for a size.
+void add_rest(StageTime rest, int makings, std::vector<StageTime>& times) {
+  rest.name = makings > 1 ? "other tries" : "sizes";
+  const auto known =
+      std::find_if(times.begin(), times.end(), [&](const StageTime& time) { return time.name == rest.name; });
+  if (known == times.end()) {
     times.insert(times.begin(), rest);
-    return;
+  } else {
+    known->seconds += rest.seconds;
+    known->cpu_seconds += rest.cpu_seconds;
   }
-  sizes->seconds += rest.seconds;
-  sizes->cpu_seconds += rest.cpu_seconds;
 }
 
 }  // namespace
@@ -581,7 +582,7 @@ MeshResult mesh_part(const Model& model, const MeshOptions& options, Observer& o
   });
   if (options.order == 2) arena.execute([&] { raise_order(result, model, observer); });
   MeshReport& report = result.report;
-  add_rest(beside_stages(clock.lap("other tries"), report.times), makings, report.times);
+  add_rest(beside_stages(clock.lap({}), report.times), makings, report.times);
   report.faults.insert(report.faults.begin(), model.parts().faults.begin(), model.parts().faults.end());
   if (!report.faults.empty()) report.status = MeshStatus::kIncomplete;
   return result;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <utility>
 
 #include "app/element_estimate.h"
@@ -41,21 +40,21 @@ struct Sized {
   double elements;  ///< estimated
 };
 
-Sized sized(const Model& model, const MeshOptions& options) {
-  SizePlan plan = plan_sizes(model, options);
+Sized sized(const Model& model, const MeshOptions& options, WallMemo& walls) {
+  SizePlan plan = plan_sizes(model, options, &walls);
   const double elements = estimated_elements(model, plan);
   return {options, std::move(plan), elements};
 }
 
 /// With as many elements on a circle as the mesh has room for. The least number that is more is tried first;
 /// counts go about with its square, and what goes far beyond the room by this is not tried.
-Sized with_rounder_faces(const Model& model, Sized given) {
+Sized with_rounder_faces(const Model& model, Sized given, WallMemo& walls) {
   constexpr double kFarBeyond = 1.1;
   const double room = std::max(kSmallMesh, std::min(kMost, kLittleMore * given.elements));
   const auto rounded = [&](double on_a_circle) {
     MeshOptions options = given.options;
     options.curvature_angle = 2.0 * M_PI / on_a_circle;
-    return sized(model, options);
+    return sized(model, options, walls);
   };
   const auto more = [&](double on_a_circle) {
     return on_a_circle * on_a_circle - std::pow(2.0 * M_PI / given.options.curvature_angle, 2);
@@ -120,11 +119,11 @@ MeshOptions with_default_size(const Model& model, const MeshOptions& options) {
   chosen.size = global_size(model, options);
   chosen.suit_curvature = true;
   if (options.small_regions) chosen.region_scale = 1.0;
-  if (!chosen.walls) chosen.walls = std::make_shared<WallMemo>();
   if (!has_free_sizes(options)) return chosen;
-  Sized first = sized(model, chosen);
+  WallMemo walls;  // which a circle's elements do not change
+  Sized first = sized(model, chosen, walls);
   if (first.elements < kMost && has_free_curvature(options))
-    first = with_rounder_faces(model, std::move(first));
+    first = with_rounder_faces(model, std::move(first), walls);
   const double wanted = std::clamp(first.elements, kFewest, kMost);
   if (std::abs(std::log(first.elements / wanted)) < kNear) return first.options;
   const auto sizes = [&](double log_scale) {

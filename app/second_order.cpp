@@ -6,7 +6,6 @@
 
 #include <cstdint>
 #include <numeric>
-#include <utility>
 #include <vector>
 
 #include "app/measures.h"
@@ -49,13 +48,11 @@ void raise_order(MeshResult& result, const Model& model, Observer& observer) {
                     values_of(mesh.triangles.size(), [&](std::size_t t) { return quadratic_area(mesh, t); }),
                     model.count(2)),
             model, report);
-  for (Claim& claim : accept_second_order(mesh, model)) {
-    if (!claim.holds) {
-      report.faults.insert(report.faults.end(), claim.faults.begin(), claim.faults.end());
-      report.status = MeshStatus::kIncomplete;
-    }
-    report.acceptance.claims.push_back(std::move(claim));
-  }
+  const std::vector<Claim> claims = accept_second_order(mesh, model);
+  const std::vector<Fault> broken = faults_of(claims);
+  report.acceptance.claims.insert(report.acceptance.claims.end(), claims.begin(), claims.end());
+  report.faults.insert(report.faults.end(), broken.begin(), broken.end());
+  if (!broken.empty()) report.status = MeshStatus::kIncomplete;
   report.nodes = mesh.points.size() + mesh.mid.points.size();
   report.times.push_back(clock.lap("second order"));
 }

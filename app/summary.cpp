@@ -91,7 +91,8 @@ std::string curve_line(const Model& model, const std::optional<CurveReport>& cur
   if (curve->held.empty()) return text + "\n";
   const OffCad& worst = curve->held.front();
   return text + fmt::format(
-                    "; {} edges nearer to straight than the CAD, for elements would turn over: {:.2g} mm "
+                    "; {} edges nearer to straight than the CAD (elements would turn over, or the arc is too "
+                    "long): {:.2g} mm "
                     "off at most, on {} at {}\n",
                     curve->held.size(), worst.distance, model.describe(worst.entity),
                     place_text(worst.place));

@@ -11,6 +11,13 @@
 
 namespace octet {
 
+std::vector<Fault> faults_of(const std::vector<Claim>& claims) {
+  std::vector<Fault> faults;
+  for (const Claim& claim : claims)
+    if (!claim.holds) faults.insert(faults.end(), claim.faults.begin(), claim.faults.end());
+  return faults;
+}
+
 bool Acceptance::holds() const {
   return !claims.empty() && std::all_of(claims.begin(), claims.end(), [](const Claim& c) { return c.holds; });
 }

@@ -32,6 +32,9 @@ struct Claim {
       farthest;  ///< of the claims edge-length and surface-distance, where any place is off
 };
 
+/// Of the claims that do not hold, in their order.
+[[nodiscard]] std::vector<Fault> faults_of(const std::vector<Claim>& claims);
+
 struct Acceptance {
   std::vector<Claim> claims;
   /// Volume of the tetrahedra (model units, cubed), per region tag; empty where the numbers do not hold.
@@ -50,12 +53,13 @@ struct AcceptanceOptions {
 /// closure; upward counts; every model vertex, edge (one chain) and face (Euler characteristic, loops,
 /// orientation) covered; nodes on their entity; measures per entity within the chord error of the mesh's own
 /// edge lengths; CAD samples near the mesh; no orphan or duplicate nodes.
-/// All but the last are claims about the elements between the corners; of a mesh of second order, also that
-/// its nodes in the middles of edges are where they should be and that its elements turn over nowhere.
+/// All of these speak of the elements between their corners; of a mesh of second order accept_second_order()
+/// is asked as well.
 [[nodiscard]] Acceptance accept_mesh(const Mesh& mesh, const Model& model,
                                      const AcceptanceOptions& options = {});
 
-/// The claims about the second order alone, of a mesh whose corners' claims hold. Without such nodes: none.
+/// The claims about the second order alone: nodes in the middles of edges are where they should be, and no
+/// element turns over. Of a mesh of first order: none.
 [[nodiscard]] std::vector<Claim> accept_second_order(const Mesh& mesh, const Model& model);
 
 }  // namespace octet

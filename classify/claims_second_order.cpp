@@ -3,19 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 #include "base/blocks.h"
+#include "base/check.h"
 #include "classify/claims.h"
+#include "mesh/edges.h"
 #include "mesh/quadratic.h"
-#include "mesh/tet_mesh.h"
 
 namespace octet {
 namespace {
 
 using Index = Mesh::Index;
-using Ends = std::array<Index, 2>;
 
 /// Nodes asked of the CAD by one task.
 constexpr std::size_t kNodes = 256;
@@ -23,10 +22,6 @@ constexpr std::size_t kNodes = 256;
 constexpr double kBoundShare = 1e-3;
 /// Rounding of a distance.
 constexpr double kRounding = 1e-9;
-
-Vec3 middle(const Mesh& mesh, const Ends& ends) {
-  return 0.5 * (mesh.points[ends[0]] + mesh.points[ends[1]]);
-}
 
 /// Whether elements and nodes agree on which is between which.
 class Betweenness {
@@ -38,14 +33,13 @@ class Betweenness {
     const MidNodes& mid = mesh_.mid;
     for (std::size_t t = 0; t < mesh_.tets.size(); ++t)
       for (std::size_t e = 0; e < 6; ++e)
-        use(mid.of_tets[t][e], mesh_.tets[t][static_cast<std::size_t>(kTetEdge[e][0])],
-            mesh_.tets[t][static_cast<std::size_t>(kTetEdge[e][1])], model_region(mesh_.tet_in[t]));
+        use(mid.of_tets[t][e], tet_edge(mesh_, t, e), model_region(mesh_.tet_in[t]));
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
       for (std::size_t k = 0; k < 3; ++k)
-        use(mid.of_triangles[t][k], mesh_.triangles[t][k], mesh_.triangles[t][(k + 1) % 3],
+        use(mid.of_triangles[t][k], edge_ends(mesh_.triangles[t][k], mesh_.triangles[t][(k + 1) % 3]),
             model_face(mesh_.triangle_on[t]));
     for (std::size_t e = 0; e < mesh_.edges.size(); ++e)
-      use(mid.of_edges[e], mesh_.edges[e][0], mesh_.edges[e][1], model_edge(mesh_.edge_on[e]));
+      use(mid.of_edges[e], edge_ends(mesh_.edges[e][0], mesh_.edges[e][1]), model_edge(mesh_.edge_on[e]));
     for (Index m = 0; m < expected_.size(); ++m) {
       if (!expected_[m].valid())
         tell(m, "is in no element");
@@ -57,13 +51,12 @@ class Betweenness {
 
  private:
   /// Elements of less dimension come later, so the last one's entity stays.
-  void use(Index m, Index a, Index b, ModelRef on) {
+  void use(Index m, const EdgeEnds& ends, ModelRef on) {
     if (m >= expected_.size()) {
-      claim_.fault(2.0, on, middle(mesh_, {a, b}), "an edge has no node in its middle", kBadMesh);
+      claim_.fault(2.0, on, middle_of(mesh_, ends), "an edge has no node in its middle", kBadMesh);
       return;
     }
-    if (mesh_.mid.between[m] != Ends{std::min(a, b), std::max(a, b)})
-      tell(m, "is in the middle of two edges");
+    if (mesh_.mid.between[m] != ends) tell(m, "is in the middle of two edges");
     expected_[m] = on;
   }
   void ask_for_twins() {
@@ -110,18 +103,33 @@ std::vector<NodeOff> nodes_off(const Mesh& mesh, const Model& model) {
         if (on.dim != 1 && on.dim != 2) return;
         const double distance = distance_from(model, on, mid.points[m]);
         if (distance <= allowed_distance(model, on)) return;
-        const double straight = distance_from(model, on, middle(mesh, mid.between[m]));
+        const double straight = distance_from(model, on, middle_of(mesh, mid.between[m]));
         if (distance > straight * (1.0 + kRounding))
           off.push_back({static_cast<Index>(m), distance, straight});
       },
       kNodes);
 }
 
-bool numbers_hold(const Mesh& mesh) {
+/// Tells the first element of a kind that has no nodes in the middles of its edges; false where there is one.
+template <class Elements, class Mids>
+bool all_have(ClaimBuilder& claim, const Mesh& mesh, const Elements& elements,
+              const std::vector<std::int32_t>& on, int dim, const Mids& mids) {
+  if (mids.size() == elements.size()) return true;
+  const std::size_t first = mids.size();
+  OCTET_CHECK(first < elements.size());
+  claim.fault(
+      2.0, {dim, on[first]}, mesh.points[elements[first][0]],
+      fmt::format("of {} elements of dimension {} {} are of second order", elements.size(), dim, first),
+      kBadMesh);
+  return false;
+}
+
+bool numbers_hold(ClaimBuilder& claim, const Mesh& mesh) {
   const MidNodes& mid = mesh.mid;
-  return mid.on.size() == mid.points.size() && mid.between.size() == mid.points.size() &&
-         mid.of_edges.size() == mesh.edges.size() && mid.of_triangles.size() == mesh.triangles.size() &&
-         mid.of_tets.size() == mesh.tets.size();
+  OCTET_CHECK(mid.on.size() == mid.points.size() && mid.between.size() == mid.points.size());
+  return all_have(claim, mesh, mesh.edges, mesh.edge_on, 1, mid.of_edges) &
+         all_have(claim, mesh, mesh.triangles, mesh.triangle_on, 2, mid.of_triangles) &
+         all_have(claim, mesh, mesh.tets, mesh.tet_in, 3, mid.of_tets);
 }
 
 }  // namespace
@@ -130,10 +138,7 @@ Claim claim_mid_nodes(const Mesh& mesh, const Model& model) {
   ClaimBuilder claim("mid-nodes",
                      "Every edge has one node of second order in its middle, on the edge's model entity or "
                      "between that and the straight edge.");
-  if (!numbers_hold(mesh)) {
-    claim.fault(2.0, {}, Vec3::Zero(), "some elements are of second order, and some are not", kBadMesh);
-    return claim.counted();
-  }
+  if (!numbers_hold(claim, mesh)) return claim.counted();
   Betweenness(mesh, claim).ask();
   if (claim.count() > 0) return claim.counted();
   for (const NodeOff& off : nodes_off(mesh, model))

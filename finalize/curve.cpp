@@ -11,6 +11,7 @@
 
 #include "base/blocks.h"
 #include "base/error.h"
+#include "mesh/edges.h"
 #include "mesh/mid_nodes.h"
 #include "mesh/quadratic.h"
 
@@ -19,7 +20,7 @@ namespace {
 
 using Index = Mesh::Index;
 
-/// Of the chord: a place farther from its middle is not that of the arc above it (half a circle is at 0.5).
+/// Of the chord: a node farther from its middle than this stays there (that of half a circle is at 0.5).
 constexpr double kMostSag = 0.35;
 /// Of the chord: what is nearer to its middle is as good as straight.
 constexpr double kLeastSag = 1e-9;
@@ -56,8 +57,14 @@ class Wishes {
   }
   [[nodiscard]] const Vec3& way(Index m) const { return way_[m]; }
   [[nodiscard]] bool curved(Index m) const { return !way_[m].isZero(0.0); }
+  /// Whether an edge between such ends cannot follow the CAD.
+  [[nodiscard]] bool too_far(Index m) const { return way_[m].norm() > kMostSag * chord(m); }
 
  private:
+  [[nodiscard]] double chord(Index m) const {
+    const EdgeEnds& ends = mesh_.mid.between[m];
+    return (mesh_.points[ends[1]] - mesh_.points[ends[0]]).norm();
+  }
   void ask() {
     const MidNodes& mid = mesh_.mid;
     std::fill(way_.begin(), way_.end(), Vec3::Zero());
@@ -71,17 +78,16 @@ class Wishes {
     const tbb::blocked_range<std::size_t> all(0, asked.size(), kQueries);
     tbb::parallel_for(all, [&](const tbb::blocked_range<std::size_t>& range) {
       for (std::size_t i = range.begin(); i != range.end(); ++i) {
-        const FaceFoot foot = model_.face_project(mid.on[asked[i]].tag, mid.points[asked[i]]);
-        if (foot.converged) wish(asked[i], foot.point);
+        const int face = mid.on[asked[i]].tag;
+        const Vec3& middle = mid.points[asked[i]];
+        const FaceFoot foot = model_.face_project(face, middle);
+        wish(asked[i], foot.converged ? foot.point : model_.face_closest(face, middle).point);
       }
     });
   }
   void wish(Index m, const Vec3& place) {
-    const auto& ends = mesh_.mid.between[m];
-    const double chord = (mesh_.points[ends[1]] - mesh_.points[ends[0]]).norm();
     const Vec3 way = place - mesh_.mid.points[m];
-    const double sag = way.norm();
-    if (sag > std::max(kLeastSag * chord, model_.tolerance()) && sag <= kMostSag * chord) way_[m] = way;
+    if (way.norm() > std::max(kLeastSag * chord(m), model_.tolerance())) way_[m] = way;
   }
 
   const Mesh& mesh_;
@@ -93,7 +99,10 @@ class Wishes {
 class Curving {
  public:
   Curving(Mesh& mesh, const Wishes& wishes) : mesh_(mesh), wishes_(wishes), back_(mesh.mid.points.size(), 0) {
-    for (Index m = 0; m < back_.size(); ++m) mesh_.mid.points[m] += wishes_.way(m);
+    for (Index m = 0; m < back_.size(); ++m) {
+      if (wishes_.too_far(m)) back_[m] = kHalvings + 1;
+      mesh_.mid.points[m] = place(m, back_[m]);
+    }
   }
 
   /// Tetrahedra with a curved edge.
@@ -146,8 +155,7 @@ class Curving {
   /// After going back so often.
   static double share_of_way(int back) { return back > kHalvings ? 0.0 : std::ldexp(1.0, -back); }
   [[nodiscard]] Vec3 place(Index m, int back) const {
-    const auto& ends = mesh_.mid.between[m];
-    const Vec3 middle = 0.5 * (mesh_.points[ends[0]] + mesh_.points[ends[1]]);
+    const Vec3 middle = middle_of(mesh_, mesh_.mid.between[m]);
     return back > kHalvings ? middle : Vec3(middle + share_of_way(back) * wishes_.way(m));
   }
   [[nodiscard]] bool can_go_back(Index m) const { return wishes_.curved(m) && back_[m] <= kHalvings; }

@@ -26,8 +26,9 @@ struct OffCad {
 };
 
 struct CurveReport {
-  std::size_t curved = 0;          ///< nodes that are off the middles of their edges
-  std::vector<OffCad> held;        ///< nodes off their entity: elements would turn over; the farthest first
+  std::size_t curved = 0;  ///< nodes that are off the middles of their edges
+  std::vector<OffCad>
+      held;  ///< nodes off their entity, the farthest first: elements would turn over, or the arc is too long
   std::optional<OffCad> farthest;  ///< between the nodes, too: at triangles' centres and quarters of edges
   double least_scaled_jacobian = 1.0;  ///< of all elements
 };

@@ -54,7 +54,8 @@ double attribute_size(const Model& model, const SizeAttribute& attribute, ModelR
 
 class Planner {
  public:
-  Planner(const Model& model, const SizeControl& control) : model_(model), control_(control) {
+  Planner(const Model& model, const SizeControl& control, WallMemo* walls)
+      : model_(model), control_(control), walls_(walls) {
     plan_.asked = global_size(model, control);
     plan_.min_size = control.min_size > 0.0 ? control.min_size : kFinestShare * plan_.asked;
     plan_.growth = control.growth;
@@ -114,7 +115,7 @@ class Planner {
     options.gap_elements = control_.gap_elements;
     options.budget = control_.wall_budget;
     options.cancelled = control_.cancelled;
-    take(control_.walls ? control_.walls->sizes(model_, options) : wall_sizes(model_, options));
+    take(walls_ != nullptr ? walls_->sizes(model_, options) : wall_sizes(model_, options));
   }
 
   /// Entities with their sizes; a region may be coarser than the rest.
@@ -227,6 +228,7 @@ class Planner {
 
   const Model& model_;
   const SizeControl& control_;
+  WallMemo* walls_;  ///< may be null
   SizePlan plan_;
   std::vector<std::pair<ModelRef, double>> wanted_;  ///< entities of attributes and their sizes
 };
@@ -238,9 +240,9 @@ double global_size(const Model& model, const SizeControl& control) {
   return control.max_size > 0.0 ? std::min(size, control.max_size) : size;
 }
 
-SizePlan plan_sizes(const Model& model, const SizeControl& control) {
+SizePlan plan_sizes(const Model& model, const SizeControl& control, WallMemo* walls) {
   check_control(control);
-  return Planner(model, control).run();
+  return Planner(model, control, walls).run();
 }
 
 SizePlan coarsened(SizePlan plan, double scale) {

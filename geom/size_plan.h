@@ -3,7 +3,6 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -35,9 +34,6 @@ struct SizeControl {
   std::vector<SizeAttribute> attributes;
   SizeField background;             ///< wishes over space; only those below the size asked for count
   std::function<bool()> cancelled;  ///< asked often; true ends planning with Cancelled; may be empty
-  /// Where several plans are made of one part, one after the other: what the last one found of walls. May be
-  /// empty.
-  std::shared_ptr<WallMemo> walls;
 };
 
 /// What the octree is built from.
@@ -54,8 +50,9 @@ struct SizePlan {
   double growth = 2.0;
 };
 
-/// InputError for a control that makes no sense or an attribute that names nothing.
-[[nodiscard]] SizePlan plan_sizes(const Model& model, const SizeControl& control);
+/// InputError for a control that makes no sense or an attribute that names nothing. `walls`, where given:
+/// what the last plan of the same part found of walls and gaps, and what this one finds.
+[[nodiscard]] SizePlan plan_sizes(const Model& model, const SizeControl& control, WallMemo* walls = nullptr);
 
 /// The plan that the same part gets about where nothing but a size is asked for, and one so many times as
 /// large: wishes for walls and features stay, those the larger size leaves room for are missing. For

@@ -381,9 +381,8 @@ const std::vector<SizeSample>& WallMemo::sizes(const Model& model, const WallOpt
   const auto question = [](const WallOptions& o) {
     return std::tie(o.size, o.min_size, o.wall_elements, o.gap_elements, o.budget);
   };
-  if (model_ == &model && question(options_) == question(options)) return samples_;
+  if (options_ && question(*options_) == question(options)) return samples_;
   samples_ = wall_sizes(model, options);
-  model_ = &model;
   options_ = options;
   return samples_;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "base/size_sample.h"
@@ -26,15 +27,15 @@ struct WallOptions {
 /// of a knife has no lower bound. Within the budget the smallest size is doubled until the wishes fit.
 [[nodiscard]] std::vector<SizeSample> wall_sizes(const Model& model, const WallOptions& options);
 
-/// What was found of walls and gaps last, for a search that asks for the same.
+/// What was found of one part's walls and gaps last, for a search that asks for the same.
 class WallMemo {
  public:
-  /// As wall_sizes(), which is called where the question is another one than the last.
+  /// As wall_sizes(), which is called where the question is another one than the last. Requires the same
+  /// model each time.
   [[nodiscard]] const std::vector<SizeSample>& sizes(const Model& model, const WallOptions& options);
 
  private:
-  const Model* model_ = nullptr;
-  WallOptions options_;
+  std::optional<WallOptions> options_;  ///< of the samples
   std::vector<SizeSample> samples_;
 };
 

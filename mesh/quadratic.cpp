@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 
+#include "mesh/edges.h"
 #include "mesh/quality.h"
 #include "mesh/tet_mesh.h"
 
@@ -139,13 +140,8 @@ QuadraticTet quadratic_tet(const Mesh& mesh, std::size_t t) {
 }
 
 bool has_straight_edges(const Mesh& mesh, std::size_t t) {
-  const auto& tet = mesh.tets[t];
-  const auto& mids = mesh.mid.of_tets[t];
-  for (std::size_t e = 0; e < 6; ++e) {
-    const Vec3 &a = mesh.points[tet[static_cast<std::size_t>(kTetEdge[e][0])]],
-               &b = mesh.points[tet[static_cast<std::size_t>(kTetEdge[e][1])]];
-    if (mesh.mid.points[mids[e]] != 0.5 * (a + b)) return false;
-  }
+  for (std::size_t e = 0; e < 6; ++e)
+    if (mesh.mid.points[mesh.mid.of_tets[t][e]] != middle_of(mesh, tet_edge(mesh, t, e))) return false;
   return true;
 }
 

@@ -32,7 +32,7 @@ struct JacobianForm {
 [[nodiscard]] JacobianForm jacobian_form(const QuadraticTet& tet);
 
 /// A lower bound of the determinant, no more than `accuracy` below its least value: the form is halved until
-/// it tells. Requires accuracy > 0.
+/// it tells, or is a sixteenth as long in all directions. Requires accuracy > 0.
 [[nodiscard]] double least_jacobian(const JacobianForm& form, double accuracy);
 
 /// The bound over the largest coefficient: 1 where straight, 0 or less where the element may be turned over.

@@ -84,7 +84,7 @@ Distribution edge_lengths(const Mesh& mesh, std::span<const double> size) {
   d.width = 0.1;
   d.bins.assign(21, 0);
   std::vector<double> values;
-  for (const auto& [a, b] : tet_edges(mesh)) {
+  for (const auto& [a, b] : element_edges(mesh)) {
     const double local = 0.5 * (size[a] + size[b]);
     values.push_back(local > 0.0 ? (mesh.points[a] - mesh.points[b]).norm() / local : 0.0);
   }

@@ -7,10 +7,11 @@
 CalculiX on models/plate_with_hole.step in plane strain under tension, as cut out of an infinite plate (Kirsch): the
 exact displacement on the outer sides, no displacement across the plate, the hole free. Octet's INP files as they are,
 of first order, of second order, and of second order with every node put back into the middle of its straight edge, as
-meshers do that know nothing of the CAD any more. Told are the error of the displacement (root of the mean square over
-the nodes, as a share of the exact one's) and of the largest stress at nodes, three times the tension at the hole. The
-exit code is 0 when the error goes with the size (the number of elements to the power -1/3) to the power 1.8 and more of
-first order, 2.7 and more of second, and straight sides double it at least.
+meshers do that know nothing of the CAD any more. Told is the error of the displacement (root of the mean square over
+the nodes, as a share of the exact one's). The exit code is 0 when it goes with the size (the number of elements to the
+power -1/3) to the power 1.9 and more of first order, 2.7 and more of second, and straight sides double it at least.
+
+apt-get install calculix-ccx python3-numpy python3-matplotlib
 """
 import os
 import re
@@ -110,7 +111,7 @@ def main():
     if args.output:
         plot(args.output, sizes, results)
     last = {kind: rows[-1][1] for kind, rows in results.items()}
-    return 0 if power["first"] > 1.8 and power["curved"] > 2.7 and last["straight"] > 2 * last["curved"] else 1
+    return 0 if power["first"] > 1.9 and power["curved"] > 2.7 and last["straight"] > 2 * last["curved"] else 1
 
 
 if __name__ == "__main__":

@@ -91,6 +91,32 @@ TEST(Curve, NodesOnCirclesAreHalfWayAlongThem) {
   EXPECT_LT(report.farthest->distance, 0.1 * (1.0 - std::cos(half)));
 }
 
+/// An arc of 150 degrees: a parabola through its middle is no likeness of it, and that is told.
+TEST(Curve, LeavesAnEdgeStraightAndSaysSoWhereItsArcIsTooLong) {
+  const Model model = analytic_cylinder(1.0, 1.5);
+  int circle = 1;
+  while (model.edge(circle).use != EdgeUse::kReal) ++circle;
+  const double z = model.edge_point(circle, model.edge(circle).t0).z();
+  const auto at = [&](double degrees) {
+    const double angle = degrees * std::acos(-1.0) / 180.0;
+    return Vec3(std::cos(angle), std::sin(angle), z);
+  };
+  Mesh mesh;
+  mesh.points = {at(20.0), at(170.0), at(270.0), Vec3(0.0, 0.0, 0.75)};
+  mesh.point_on = {model_edge(circle), model_edge(circle), model_edge(circle), model_region(1)};
+  mesh.tets = {{0, 1, 2, 3}};
+  mesh.tet_in = {1};
+  mesh.edges = {{0, 1}};
+  mesh.edge_on = {circle};
+  test::orient_tets(mesh);
+  const CurveReport report = curve(mesh, model);
+  EXPECT_EQ(mesh.mid.points, straight_mid_nodes(mesh).points);
+  EXPECT_EQ(report.curved, 0u);
+  ASSERT_EQ(report.held.size(), 1u);
+  EXPECT_EQ(report.held[0].entity, model_edge(circle));
+  EXPECT_NEAR(report.held[0].distance, 1.0 - std::cos(75.0 * std::acos(-1.0) / 180.0), 1e-9);
+}
+
 /// An element with two faces on one smooth face has no angle left between them where both follow it: its
 /// nodes on that face go back as far as it needs, and those of the others stay where they are.
 TEST(Curve, HoldsBackWhereAnElementHasTwoTrianglesOnOneRoundFace) {

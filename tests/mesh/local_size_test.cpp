@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Edges once each, and a size per vertex that follows them.
+// A size per vertex that follows the edges.
 #include "mesh/local_size.h"
 
 #include <gtest/gtest.h>
@@ -9,19 +9,9 @@
 namespace octet {
 namespace {
 
-TEST(LocalSize, EdgesComeOnceEachAsEulerCounts) {
-  const Mesh mesh = test::plain_box_mesh(3);
-  const auto edges = tet_edges(mesh);
-  EXPECT_TRUE(std::is_sorted(edges.begin(), edges.end()));
-  EXPECT_EQ(std::adjacent_find(edges.begin(), edges.end()), edges.end());
-  // V - E + F - T = 1 for a ball; 2 F = 4 T + boundary triangles.
-  const std::size_t faces = (4 * mesh.tets.size() + mesh.triangles.size()) / 2;
-  EXPECT_EQ(mesh.points.size() + faces, edges.size() + mesh.tets.size() + 1);
-}
-
 TEST(LocalSize, ScalesWithTheMesh) {
   Mesh mesh = test::plain_box_mesh(2);
-  const auto edges = tet_edges(mesh);
+  const auto edges = element_edges(mesh);
   const auto size = vertex_sizes(mesh, edges);
   for (Vec3& p : mesh.points) p *= 3.0;
   const auto scaled = vertex_sizes(mesh, edges);

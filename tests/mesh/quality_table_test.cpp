@@ -35,7 +35,7 @@ TEST(QualityTable, CountsEachElementOnceAndAgreesWithTheSummary) {
   EXPECT_EQ(table.all[1].largest, summary.max_dihedral);
   EXPECT_NEAR(table.all[2].mean, summary.mean_mean_ratio, 1e-12);
   EXPECT_EQ(table.free[0].count + table.limited, table.tets);
-  EXPECT_EQ(table.edges.count, tet_edges(mesh).size());
+  EXPECT_EQ(table.edges.count, element_edges(mesh).size());
 }
 
 TEST(QualityTable, TellsTheScaledJacobianOfElementsOfSecondOrder) {
