@@ -77,14 +77,14 @@ void add_order(CLI::App& sub, int& order, const char* none_given) {
 void add_mesh(CLI::App& app, MeshCommand& mesh) {
   CLI::App& sub = *app.add_subcommand("mesh", "Mesh a CAD part: classified tetrahedra");
   sub.add_option("part", mesh.part, "STEP, IGES or BREP file")->required()->type_name("FILE");
-  sub.add_option("-o,--output", mesh.output, "Mesh file to write (.msh, .vtu or .inp)")
+  sub.add_option("-o,--output", mesh.output, "Mesh file to write (.msh, .vtu, .inp or .unv)")
       ->required()
       ->type_name("FILE");
   add_size_options(sub, mesh.sizes);
   add_order(sub, mesh.order, "1");
   sub.add_option("--unit", mesh.unit, kUnitHelp)->type_name("UNIT");
   sub.add_option("--format", mesh.format,
-                 "msh41, msh41-ascii, msh22, msh22-ascii, vtu, inp (default: by suffix)")
+                 "msh41, msh41-ascii, msh22, msh22-ascii, vtu, inp, unv (default: by suffix)")
       ->type_name("FORMAT");
   sub.add_option("--threads", mesh.threads, "Threads; any number gives the same bytes (default: all cores)")
       ->type_name("N");
@@ -122,7 +122,7 @@ void add_adapt(CLI::App& app, MeshCommand& adapt) {
       ->required()
       ->type_name("FILE");
   sub.add_option("part", adapt.part, "STEP, IGES or BREP file")->required()->type_name("FILE");
-  sub.add_option("-o,--output", adapt.output, "Mesh file to write (.msh, .vtu or .inp)")
+  sub.add_option("-o,--output", adapt.output, "Mesh file to write (.msh, .vtu, .inp or .unv)")
       ->required()
       ->type_name("FILE");
   add_size_options(sub, adapt.sizes);
@@ -199,7 +199,7 @@ void add_improve(CLI::App& app, ImproveCommand& improve) {
       *app.add_subcommand("improve", "Better shapes for a classified mesh of the part, from any mesher");
   sub.add_option("mesh", improve.mesh, "MSH or VTU file")->required()->type_name("FILE");
   sub.add_option("part", improve.part, "STEP, IGES or BREP file")->required()->type_name("FILE");
-  sub.add_option("-o,--output", improve.output, "Mesh file to write (.msh, .vtu or .inp)")
+  sub.add_option("-o,--output", improve.output, "Mesh file to write (.msh, .vtu, .inp or .unv)")
       ->required()
       ->type_name("FILE");
   sub.add_option("--size", improve.size, "Edge length wished for everywhere (default: as the mesh is around)")
@@ -207,7 +207,7 @@ void add_improve(CLI::App& app, ImproveCommand& improve) {
   sub.add_option("--unit", improve.unit, std::string("Unit of the mesh files: ") + kUnitHelp)
       ->type_name("UNIT");
   sub.add_option("--format", improve.format,
-                 "msh41, msh41-ascii, msh22, msh22-ascii, vtu, inp (default: by suffix)")
+                 "msh41, msh41-ascii, msh22, msh22-ascii, vtu, inp, unv (default: by suffix)")
       ->type_name("FORMAT");
   add_order(sub, improve.order, "the mesh's");
   sub.add_option("--threads", improve.threads,

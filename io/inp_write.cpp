@@ -6,13 +6,12 @@
 
 #include <algorithm>
 #include <limits>
-#include <map>
-#include <set>
 #include <string>
 #include <vector>
 
 #include "base/error.h"
 #include "io/msh_entities.h"
+#include "io/set_names.h"
 #include "mesh/face_uses.h"
 
 namespace octet {
@@ -21,41 +20,10 @@ namespace {
 constexpr std::size_t kBlock = 16384;
 constexpr std::size_t kPerLine = 16;      // the most that a line may hold
 constexpr std::size_t kLongestName = 60;  // of the 80 that Abaqus allows
-constexpr const char* kKind[4] = {"Vertex", "Edge", "Face", "Solid"};
 
 /// The side of a C3D4 or C3D10 by the local number of the vertex that it lacks: S1 is 1-2-3, S2 1-4-2, S3
 /// 2-4-3, S4 3-4-1.
 constexpr int kSideWithout[4] = {3, 4, 2, 1};
-
-char upper_case(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
-
-bool is_letter(char c) { return upper_case(c) >= 'A' && upper_case(c) <= 'Z'; }
-
-/// A name that every reader takes: letters, digits, _ and -, with a letter first.
-std::string set_name(const std::string& name) {
-  std::string text;
-  for (const char c : name.substr(0, kLongestName))
-    text += is_letter(c) || (c >= '0' && c <= '9') || c == '-' ? c : '_';
-  return text.empty() || is_letter(text.front()) ? text : "N" + text;
-}
-
-std::map<ModelRef, std::string> set_names(const ModelOutline& outline) {
-  std::map<ModelRef, std::string> names;
-  std::set<std::string> taken;
-  for (int dim = 3; dim >= 0; --dim)
-    for (const OutlineEntity& e : outline.entities[static_cast<std::size_t>(dim)]) {
-      const std::string own = fmt::format("{}{}", kKind[dim], e.tag);
-      const std::string given = set_name(e.name);
-      std::string name = given.empty() ? own : given;
-      const auto is_new = [&taken](std::string word) {
-        std::transform(word.begin(), word.end(), word.begin(), upper_case);
-        return taken.insert(word).second;
-      };
-      while (!is_new(name)) name += "_" + own;
-      names[{dim, e.tag}] = name;
-    }
-  return names;
-}
 
 void write_nodes(OutputFile& file, const Mesh& mesh, double scale) {
   file.write("*NODE, NSET=Nall\n");
@@ -139,7 +107,7 @@ void write_inp(OutputFile& file, const Mesh& mesh, const ModelOutline& outline, 
   constexpr std::size_t kMost = std::numeric_limits<int>::max();
   if (std::max(node_count(mesh), mesh.tets.size()) > kMost)
     throw OutputError("the mesh is too large for an .inp file; use MSH 4.1");
-  const auto names = set_names(complete_outline(outline, mesh));
+  const auto names = set_names(complete_outline(outline, mesh), kLongestName);
   const ElementGroups groups = group_elements(mesh);
   file.write("*HEADING\nmesh by Octet\n");
   write_nodes(file, mesh, scale);

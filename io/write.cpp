@@ -13,12 +13,13 @@
 #include "io/inp_write.h"
 #include "io/msh_write.h"
 #include "io/output_file.h"
+#include "io/unv_write.h"
 #include "io/vtu_write.h"
 
 namespace octet {
 namespace {
 
-constexpr const char* kNames = "msh, msh41, msh41-ascii, msh22, msh22-ascii, vtu, inp";
+constexpr const char* kNames = "msh, msh41, msh41-ascii, msh22, msh22-ascii, vtu, inp, unv";
 
 std::string lower_case(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
@@ -37,14 +38,16 @@ MeshFormat mesh_format(const std::filesystem::path& path, const std::string& nam
     if (wanted == "msh22-ascii") return MeshFormat::kMsh22Ascii;
     if (wanted == "vtu") return MeshFormat::kVtu;
     if (wanted == "inp") return MeshFormat::kInp;
+    if (wanted == "unv") return MeshFormat::kUnv;
     throw InputError(fmt::format("unknown mesh format \"{}\"; known are {}", name, kNames));
   }
   const std::string suffix = lower_case(path.extension().string());
   if (suffix == ".msh") return MeshFormat::kMsh41Binary;
   if (suffix == ".vtu") return MeshFormat::kVtu;
   if (suffix == ".inp") return MeshFormat::kInp;
-  throw InputError(
-      fmt::format("\"{}\" ends in none of .msh, .vtu and .inp: name the format ({})", path.string(), kNames));
+  if (suffix == ".unv") return MeshFormat::kUnv;
+  throw InputError(fmt::format("\"{}\" ends in none of .msh, .vtu, .inp and .unv: name the format ({})",
+                               path.string(), kNames));
 }
 
 void write_mesh(const std::filesystem::path& path, const Mesh& mesh, const ModelOutline& outline,
@@ -71,6 +74,9 @@ void write_mesh(const std::filesystem::path& path, const Mesh& mesh, const Model
       break;
     case MeshFormat::kInp:
       write_inp(file, mesh, outline, options.scale);
+      break;
+    case MeshFormat::kUnv:
+      write_unv(file, mesh, outline, options.scale);
       break;
   }
   file.commit();
