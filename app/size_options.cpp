@@ -98,10 +98,11 @@ void add_size_options(CLI::App& command, SizeWords& words) {
   number("--max-size", words.max_size, "No size is larger than this, wherever it comes from", "LENGTH");
   number("--target-elements", words.target_elements, "Scale the sizes to get about so many tetrahedra", "N");
   command
-      .add_option("--size-at", words.size_at,
-                  "A size at a place, may be repeated: Face12=0.5, Edge3-7=0.5, Region2=3, Face:bore*=0.5, "
-                  "Face#ff0000=1, Face@x,y,z=0.5 (nearest), box:x,y,z,x,y,z=1, ball:x,y,z,r=1, "
-                  "cylinder:x,y,z,x,y,z,r=1, Edge5=/12 (twelve elements)")
+      .add_option(
+          "--size-at", words.size_at,
+          "A size at a place, may be repeated: Face12=0.5, Edge3-7=0.5, Region2=3, Face%12=0.5 (number in "
+          "the file), Face:bore*=0.5, Face#ff0000=1, Face@x,y,z=0.5 (nearest), box:x,y,z,x,y,z=1, "
+          "ball:x,y,z,r=1, cylinder:x,y,z,x,y,z,r=1, Edge5=/12 (twelve elements)")
       ->type_name("PLACE=LENGTH")
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

@@ -102,13 +102,13 @@ bool read_shape(std::string_view selector, double unit, SizeAttribute& attribute
   return true;
 }
 
-bool read_range(std::string_view text, SizeAttribute& attribute) {
+bool read_range(std::string_view text, Where where, SizeAttribute& attribute) {
   const std::size_t dash = text.find('-');
   const auto first = number<int>(text.substr(0, dash));
   const auto last = dash == std::string_view::npos ? first : number<int>(text.substr(dash + 1));
   if (!first || !last) return false;
   if (*first < 1 || *last < *first) refuse(attribute.text, "numbers count from 1, ranges upwards");
-  attribute.where = Where::kNumbers;
+  attribute.where = where;
   attribute.first = *first;
   attribute.last = *last;
   return true;
@@ -128,7 +128,8 @@ bool read_entities(std::string_view rest, double unit, SizeAttribute& attribute)
     attribute.a = unit * Vec3(v[0], v[1], v[2]);
     return true;
   }
-  return read_range(rest, attribute);
+  if (rest.front() == '%') return read_range(rest.substr(1), Where::kAsRead, attribute);
+  return read_range(rest, Where::kNumbers, attribute);
 }
 
 bool read_selector(std::string_view selector, double unit, SizeAttribute& attribute) {

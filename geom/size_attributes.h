@@ -17,6 +17,7 @@ namespace octet {
 struct SizeAttribute {
   enum class Where {
     kNumbers,   ///< entities `dim` with tags first..last
+    kAsRead,    ///< what the entities `dim` with the numbers first..last of the file have become
     kName,      ///< entities whose name matches the pattern; `dim` -1: of any dimension; regions also by the
                 ///< names of the parts and assemblies that hold them
     kColour,    ///< faces whose colour matches the pattern
@@ -37,14 +38,18 @@ struct SizeAttribute {
 };
 
 /// From the words of --size-at; `unit` is the length of one of the user's units in model units.
+// clang-format off
 ///
-///     Face12=0.5   Edge3-7=0.5   Vertex4=0.1   Region2=3        by number or range, as `octet info` lists
-///     them Face:bore*=0.5   bore*=0.5   Face:*=1                     by name (of faces; of anything; all
-///     faces) Face#ff00*=0.5                                            by colour Face@10,0,5=0.5 the nearest
-///     to a point box:x,y,z,x,y,z=0.5   ball:x,y,z,r=0.5   cylinder:x,y,z,x,y,z,r=0.5 Edge5=/12 12 elements
-///     on the edge
+///     Face12=0.5   Edge3-7=0.5   Vertex4=0.1   Region2=3   by number or range, as `octet info` lists them
+///     Face%12=0.5   Edge%3-7=0.5                           by number in the file, as CAD systems count
+///     Face:bore*=0.5   bore*=0.5   Face:*=1                by name (of faces; of anything; all faces)
+///     Face#ff00*=0.5                                       by colour
+///     Face@10,0,5=0.5                                      the nearest to a point
+///     box:x,y,z,x,y,z=0.5   ball:x,y,z,r=0.5   cylinder:x,y,z,x,y,z,r=0.5
+///     Edge5=/12                                            12 elements on the edge
 ///
 /// InputError with the reason when the text means none of these.
+// clang-format on
 [[nodiscard]] SizeAttribute parse_size_attribute(std::string_view text, double unit = 1.0);
 
 /// The entities that an attribute names, ascending; empty for shapes. InputError when there are none.

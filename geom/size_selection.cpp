@@ -97,6 +97,30 @@ bool matches(const Model& model, const SizeAttribute& attribute, ModelRef entity
   }
 }
 
+/// Numbers of a dimension: the model's, or those of the file, which a model made without one has as its own.
+int last_number(const Model& model, const SizeAttribute& attribute) {
+  const std::size_t read = model.provenance().as_read[static_cast<std::size_t>(attribute.dim)].size();
+  if (attribute.where == Where::kNumbers || read == 0) return model.count(attribute.dim);
+  return static_cast<int>(read) - 1;
+}
+
+/// What the numbers of the file have become, ascending.
+std::vector<ModelRef> became(const Model& model, const SizeAttribute& attribute) {
+  const auto& as_read = model.provenance().as_read[static_cast<std::size_t>(attribute.dim)];
+  std::vector<ModelRef> found;
+  for (int n = attribute.first; n <= std::min(attribute.last, last_number(model, attribute)); ++n) {
+    if (as_read.empty())
+      found.push_back({attribute.dim, n});
+    else
+      for (const int tag : as_read[static_cast<std::size_t>(n)].tags) found.push_back({attribute.dim, tag});
+  }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+bool is_by_number(Where where) { return where == Where::kNumbers || where == Where::kAsRead; }
+
 /// What may have been meant, for an attribute that names nothing.
 std::string meant(const Model& model, const SizeAttribute& attribute) {
   std::vector<std::string> known;
@@ -111,8 +135,8 @@ std::string meant(const Model& model, const SizeAttribute& attribute) {
   std::string text = "; octet info --entities lists what it has";
   const std::string close = closest_word(attribute.pattern, known);
   if (!close.empty()) text.append(" (did you mean \"").append(close).append("\"?)");
-  if (attribute.where == Where::kNumbers)
-    text.append(" (its numbers end at ").append(std::to_string(model.count(attribute.dim))).append(")");
+  if (is_by_number(attribute.where))
+    text.append(" (its numbers end at ").append(std::to_string(last_number(model, attribute))).append(")");
   return text;
 }
 
@@ -124,6 +148,8 @@ std::vector<ModelRef> selected_entities(const Model& model, const SizeAttribute&
   if (attribute.where == Where::kNearest) {
     const ModelRef entity = nearest(model, attribute.dim, attribute.a);
     if (entity.valid()) found.push_back(entity);
+  } else if (attribute.where == Where::kAsRead) {
+    found = became(model, attribute);
   } else {
     for (int dim = 0; dim < 4; ++dim)
       for (int tag = 1; (attribute.dim < 0 || dim == attribute.dim) && tag <= model.count(dim); ++tag)
@@ -132,9 +158,9 @@ std::vector<ModelRef> selected_entities(const Model& model, const SizeAttribute&
   std::string message = "size attribute \"" + attribute.text;
   if (found.empty())
     throw InputError(message.append("\" names nothing of the part").append(meant(model, attribute)));
-  if (attribute.where == Where::kNumbers && attribute.last > model.count(attribute.dim))
-    throw InputError(
-        message.append("\": the part has numbers up to ").append(std::to_string(model.count(attribute.dim))));
+  if (is_by_number(attribute.where) && attribute.last > last_number(model, attribute))
+    throw InputError(message.append("\": the part has numbers up to ")
+                         .append(std::to_string(last_number(model, attribute))));
   return found;
 }
 

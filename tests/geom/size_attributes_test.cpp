@@ -32,6 +32,8 @@ TEST(SizeAttributes, NumbersAndRangesInAnyCase) {
   EXPECT_EQ(range.first, 3);
   EXPECT_EQ(range.last, 7);
   EXPECT_DOUBLE_EQ(range.size, 50.8);
+  EXPECT_EQ(parse_size_attribute("Face%12=0.5").where, Where::kAsRead);
+  EXPECT_EQ(parse_size_attribute("edge%3-7=2").last, 7);
 }
 
 TEST(SizeAttributes, NamesAndColoursAreThoseOfTheEntity) {
@@ -61,10 +63,26 @@ TEST(SizeAttributes, ShapesMeetTheBoxesTheyShould) {
 }
 
 TEST(SizeAttributes, WhatMeansNothingIsRefused) {
-  for (const char* text :
-       {"", "Face12", "=1", "Face12=", "Face12=0", "Face12=-1", "Face12=x", "Face12=nan", "Face12=inf",
-        "Face0=1", "Face7-3=1", "box:1,2,3=1", "ball:0,0,0,0=1", "ball:0,0,x,1=1", "Face@1,2=1", "Face3=/4",
-        "Edge3=/0", "Edge3=/1.5", "Edge#ff0000=1"})
+  for (const char* text : {"",
+                           "Face12",
+                           "=1",
+                           "Face12=",
+                           "Face12=0",
+                           "Face12=-1",
+                           "Face12=x",
+                           "Face12=nan",
+                           "Face12=inf",
+                           "Face0=1",
+                           "Face7-3=1",
+                           "box:1,2,3=1",
+                           "ball:0,0,0,0=1",
+                           "ball:0,0,x,1=1",
+                           "Face@1,2=1",
+                           "Face3=/4",
+                           "Edge3=/0",
+                           "Edge3=/1.5",
+                           "Edge#ff0000=1",
+                           "Face%0=1"})
     EXPECT_THROW((void)parse_size_attribute(text), InputError) << text;
 }
 
@@ -72,11 +90,13 @@ TEST(SizeAttributes, SelectWhatThePartHas) {
   const Model box = analytic_box(Vec3(1, 2, 3));
   EXPECT_EQ(tags(box, "Face2-4=1"), (std::vector<int>{2, 3, 4}));
   EXPECT_EQ(tags(box, "Edge:*=1").size(), 12u);
+  EXPECT_EQ(tags(box, "Face%2-4=1"), (std::vector<int>{2, 3, 4}));
   EXPECT_EQ(tags(box, "Region1=1"), std::vector<int>{1});
   const auto near = tags(box, "Face@0.5,1,-5=1");
   ASSERT_EQ(near.size(), 1u);
   EXPECT_LT(box.face_closest(near[0], Vec3(0.5, 1.0, 0.0)).distance, 1e-12);
-  for (const char* text : {"Face7=1", "Face5-7=1", "Face:bore*=1", "bore*=1", "Face#ff0000=1"})
+  for (const char* text :
+       {"Face7=1", "Face5-7=1", "Face:bore*=1", "bore*=1", "Face#ff0000=1", "Face%7=1", "Face%5-7=1"})
     EXPECT_THROW((void)tags(box, text), InputError) << text;
 }
 
