@@ -113,17 +113,18 @@ bool has_free_sizes(const MeshOptions& options) {
          options.min_size == 0.0 && options.max_size == 0.0;
 }
 
-MeshOptions with_default_size(const Model& model, const MeshOptions& options) {
+MeshOptions with_default_size(const Model& model, const MeshOptions& options, WallMemo* walls) {
   if (options.size != 0.0) return options;
   MeshOptions chosen = options;
   chosen.size = global_size(model, options);
   chosen.suit_curvature = true;
   if (options.small_regions) chosen.region_scale = 1.0;
   if (!has_free_sizes(options)) return chosen;
-  WallMemo walls;  // which a circle's elements do not change
-  Sized first = sized(model, chosen, walls);
+  WallMemo own;
+  WallMemo& memo = walls != nullptr ? *walls : own;  // a circle's elements do not change walls
+  Sized first = sized(model, chosen, memo);
   if (first.elements < kMost && has_free_curvature(options))
-    first = with_rounder_faces(model, std::move(first), walls);
+    first = with_rounder_faces(model, std::move(first), memo);
   const double wanted = std::clamp(first.elements, kFewest, kMost);
   if (std::abs(std::log(first.elements / wanted)) < kNear) return first.options;
   const auto sizes = [&](double log_scale) {
@@ -135,7 +136,7 @@ MeshOptions with_default_size(const Model& model, const MeshOptions& options) {
   };
   const auto planned = [&](double log_scale) {
     return log_scale >= 0.0 ? coarsened(first.plan, std::exp(log_scale))
-                            : plan_sizes(model, sizes(log_scale));
+                            : plan_sizes(model, sizes(log_scale), &memo);
   };
   return sizes(log_scale_for(model, planned, std::log(wanted), 0.0, kNear));
 }

@@ -25,7 +25,9 @@ namespace octet {
 /// nothing else is asked for either, they get more elements on a circle where that costs little (20, 16 or
 /// 13, while they stay below 40 000 by estimate, or grow by a quarter at most), and a size that promises
 /// fewer than 2 000 or more than 500 000 elements is scaled to the nearer of them, whatever the radius. Other
-/// options are returned as they are.
-[[nodiscard]] MeshOptions with_default_size(const Model& model, const MeshOptions& options);
+/// options are returned as they are. `walls`, where given, has what the last plan found of walls, which the
+/// plan of the options returned mostly asks for again.
+[[nodiscard]] MeshOptions with_default_size(const Model& model, const MeshOptions& options,
+                                            WallMemo* walls = nullptr);
 
 }  // namespace octet

@@ -44,10 +44,10 @@ std::optional<double> crossing(const std::vector<std::pair<double, double>>& tri
 }  // namespace
 
 MeshResult mesh_to_target(const Model& model, const MeshOptions& options,
-                          const std::function<MeshResult(const MeshOptions&)>& mesh) {
+                          const std::function<MeshResult(const MeshOptions&)>& mesh, WallMemo* walls) {
   constexpr int kMostMeshes = 10;
   const double target = options.target_elements;
-  const MeshOptions whole = with_default_size(model, options);
+  const MeshOptions whole = with_default_size(model, options, walls);
   // A guess by volume first, so that no tree is far too large.
   double volume = 0.0;
   for (int r = 1; r <= model.count(3); ++r) volume += model.region(r).volume;
@@ -62,7 +62,7 @@ MeshResult mesh_to_target(const Model& model, const MeshOptions& options,
                      std::abs(static_cast<double>(result.report.tets) / target - 1.0));
   };
   const auto sizes = [&](double log_scale) { return scaled_sizes(model, whole, std::exp(log_scale)); };
-  const auto planned = [&](double log_scale) { return plan_sizes(model, sizes(log_scale)); };
+  const auto planned = [&](double log_scale) { return plan_sizes(model, sizes(log_scale), walls); };
   for (int i = 0; i < kMostMeshes; ++i) {
     if (!crossing(tried)) x = log_scale_for(model, planned, std::log(target) - correction, x, kNearEstimate);
     MeshResult result = mesh(sizes(x));
@@ -85,9 +85,10 @@ MeshResult mesh_to_target(const Model& model, const MeshOptions& options,
   return *std::move(best);
 }
 
-MeshResult mesh_by_default(const Model& model, const MeshOptions& options, const BoundedMesher& mesh) {
+MeshResult mesh_by_default(const Model& model, const MeshOptions& options, const BoundedMesher& mesh,
+                           WallMemo* walls) {
   constexpr double kUnbounded = std::numeric_limits<double>::infinity();
-  const MeshOptions chosen = with_default_size(model, options);
+  const MeshOptions chosen = with_default_size(model, options, walls);
   std::optional<MeshResult> result;
   double count = 0.0;
   try {

@@ -11,9 +11,11 @@ namespace octet {
 /// Meshes with sizes scaled so that the tetrahedra are within an eighth of options.target_elements, as far as
 /// that can be had (where small features decide, counts jump as octants halve): octrees alone are tried
 /// first, at a small share of a mesh's cost, and at most eight meshes are made. The nearest one is returned.
-/// `mesh` runs without a target.
+/// `mesh` runs without a target. `walls`, where given: what the plans know of walls, for `mesh` to use as
+/// well.
 [[nodiscard]] MeshResult mesh_to_target(const Model& model, const MeshOptions& options,
-                                        const std::function<MeshResult(const MeshOptions&)>& mesh);
+                                        const std::function<MeshResult(const MeshOptions&)>& mesh,
+                                        WallMemo* walls = nullptr);
 
 /// What a mesh without any size asked for may have, a fifth more before finalization, where that does not
 /// cost its being complete.
@@ -31,8 +33,8 @@ using BoundedMesher = std::function<MeshResult(const MeshOptions&, double most)>
 /// Meshes with the default size (with_default_size()), and, where nothing was asked for, with larger ones
 /// instead of a mesh of far more than kMostByDefault tetrahedra, or of one of more that is not complete:
 /// octrees promise too little where a part has many features far below the size. The larger mesh is returned
-/// only where it alone is complete.
+/// only where it alone is complete. `walls`: as above.
 [[nodiscard]] MeshResult mesh_by_default(const Model& model, const MeshOptions& options,
-                                         const BoundedMesher& mesh);
+                                         const BoundedMesher& mesh, WallMemo* walls = nullptr);
 
 }  // namespace octet
