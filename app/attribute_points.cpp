@@ -64,13 +64,13 @@ class AttributeLoop {
   /// Finds the gaps that labels alone cannot close.
   void look() {
     band_.repair(mesh(), on_, chains_);
-    result_.gaps = find_gaps(band_, mesh(), on_, chains_);
+    result_.gaps = find_gaps(band_, mesh(), on_, chains_, memory_);
     std::vector<std::uint32_t> fans;
     for (const Gap& gap : result_.gaps)
       if (gap.kind == GapKind::kEdgeFan && gap.piece != UINT32_MAX) fans.push_back(gap.piece);
     std::sort(fans.begin(), fans.end());
     if (!fans.empty() && band_.repair_beside(mesh(), on_, chains_, fans) > 0)
-      result_.gaps = find_gaps(band_, mesh(), on_, chains_);
+      result_.gaps = find_gaps(band_, mesh(), on_, chains_, memory_);
     bare_faces_.clear();
     for (const Gap& gap : result_.gaps)
       if (gap.kind == GapKind::kBareFace) bare_faces_.insert(gap.entity.tag);
@@ -313,6 +313,8 @@ class AttributeLoop {
         insert(point, model_edge(piece.edge), triangulation_.tet_at(VertexId(piece.a)));
     if (!v) return false;
     chains_.split(n, *v, t);
+    memory_.ask_again(VertexId(piece.a));
+    memory_.ask_again(VertexId(piece.b));
     return true;
   }
 
@@ -439,6 +441,7 @@ class AttributeLoop {
     std::sort(relabel_.begin(), relabel_.end());
     relabel_.erase(std::unique(relabel_.begin(), relabel_.end()), relabel_.end());
     band_.update(mesh(), on_, relabel_);
+    memory_.add(mesh(), relabel_);
     for (const TetId t : relabel_) changed_[t.index()] = 0;
     relabel_.clear();
   }
@@ -451,6 +454,7 @@ class AttributeLoop {
   AttributeLimits limits_;
   const Model& model_;
   AttributeResult result_;
+  GapMemory memory_;
   int dual_rounds_ = 0;
   std::size_t looks_ = 0;  ///< rounds in which facets were looked at
   std::size_t first_ = 0, fewest_ = std::numeric_limits<std::size_t>::max();  ///< gaps open in such rounds

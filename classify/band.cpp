@@ -275,8 +275,12 @@ void Band::list_stale_facets(const TetMesh& mesh) {
     while (stale != stale_.end() && stale->tet < facet.tet) ++stale;
     const bool is_stale =
         stale != stale_.end() && stale->tet == facet.tet && (stale->faces >> facet.local & 1) != 0;
-    if (!is_stale && mesh.alive(facet.tet)) kept.push_back(facet);
+    if (!is_stale && mesh.alive(facet.tet))
+      kept.push_back(facet);
+    else
+      changed_.insert(changed_.end(), facet.v.begin(), facet.v.end());
   }
+  for (const BoundaryFacet& facet : found) changed_.insert(changed_.end(), facet.v.begin(), facet.v.end());
   facets_.clear();
   std::merge(kept.begin(), kept.end(), found.begin(), found.end(), std::back_inserter(facets_),
              [](const BoundaryFacet& a, const BoundaryFacet& b) {

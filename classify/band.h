@@ -8,6 +8,7 @@
 #include <functional>
 #include <span>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "base/seed_points.h"
@@ -80,6 +81,9 @@ class Band {
   /// All facets between different regions, ascending by tetrahedron; those of the last call that did not
   /// change keep their classification without new queries.
   [[nodiscard]] const std::vector<BoundaryFacet>& facets(const TetMesh& mesh, std::span<const ModelRef> on);
+  /// Corners of facets that came or went since this was asked last, in any order, some more than once. Those
+  /// that came with the first list are not among them.
+  [[nodiscard]] std::vector<VertexId> take_changed() { return std::exchange(changed_, {}); }
 
   [[nodiscard]] const Model& model() const { return *model_; }
 
@@ -133,6 +137,7 @@ class Band {
     std::uint8_t faces;
   };
   std::vector<Stale> stale_;
+  std::vector<VertexId> changed_;
   std::vector<std::vector<int>> vertex_faces_;  ///< per model vertex tag: faces whose closure holds it
   std::vector<std::vector<int>> face_itself_;   ///< per face tag: {tag}
 };

@@ -29,13 +29,13 @@ struct EdgeUseOfFacet {
 
 bool same_edge(const EdgeUseOfFacet& x, const EdgeUseOfFacet& y) { return x.a == y.a && x.b == y.b; }
 
-/// Sorted by a, b, facet; without the edges at vertices that are `done`.
-std::vector<EdgeUseOfFacet> edge_uses(const std::vector<std::uint8_t>& done,
-                                      const std::vector<BoundaryFacet>& facets) {
+/// Sorted by a, b, facet; without the edges at vertices for which `is_done`.
+template <class Done>
+std::vector<EdgeUseOfFacet> edge_uses(const Done& is_done, const std::vector<BoundaryFacet>& facets) {
   auto uses = collect<EdgeUseOfFacet>(facets.size(), [&](std::size_t n, std::vector<EdgeUseOfFacet>& found) {
     for (int i = 0; i < 3; ++i) {
       const std::uint32_t a = facets[n].v[i].index(), b = facets[n].v[(i + 1) % 3].index();
-      if (!done[a] && !done[b])
+      if (!is_done(a) && !is_done(b))
         found.push_back({std::min(a, b), std::max(a, b), static_cast<std::uint32_t>(n)});
     }
   });
@@ -45,16 +45,19 @@ std::vector<EdgeUseOfFacet> edge_uses(const std::vector<std::uint8_t>& done,
   return uses;
 }
 
-/// The facets at each vertex, ascending.
+/// The facets at each vertex that is asked for, ascending; none at others.
 class FacetsAtVertices {
  public:
-  FacetsAtVertices(std::size_t vertices, const std::vector<BoundaryFacet>& facets)
-      : end_(vertices + 1, 0), facets_(3 * facets.size()) {
+  template <class Asked>
+  FacetsAtVertices(std::size_t vertices, const std::vector<BoundaryFacet>& facets, const Asked& is_asked)
+      : end_(vertices + 1, 0) {
     for (const BoundaryFacet& f : facets)
-      for (const VertexId v : f.v) ++end_[v.index() + 1];
+      for (const VertexId v : f.v) end_[v.index() + 1] += is_asked(v.index()) ? 1 : 0;
     std::partial_sum(end_.begin(), end_.end(), end_.begin());
+    facets_.resize(end_.back());
     for (std::uint32_t n = 0; n < facets.size(); ++n)
-      for (const VertexId v : facets[n].v) facets_[end_[v.index()]++] = n;
+      for (const VertexId v : facets[n].v)
+        if (is_asked(v.index())) facets_[end_[v.index()]++] = n;
   }
   [[nodiscard]] std::span<const std::uint32_t> operator[](VertexId v) const {
     const std::uint32_t begin = v.index() == 0 ? 0 : end_[v.index() - 1];
@@ -66,10 +69,26 @@ class FacetsAtVertices {
   std::vector<std::uint32_t> facets_;
 };
 
+}  // namespace
+
+void GapMemory::add(const TetMesh& mesh, std::span<const TetId> created) {
+  for (const TetId t : created) {
+    if (!mesh.alive(t)) continue;
+    for (const VertexId v : mesh.tets[t])
+      if (v != kGhostVertex && v.index() < touched_.size()) touched_[v.index()] = 1;
+  }
+}
+
+void GapMemory::ask_again(VertexId v) {
+  if (v.index() < touched_.size()) touched_[v.index()] = 1;
+  if (v.index() < fans_.size()) fans_[v.index()] = kAsk;
+}
+
 class GapFinder {
  public:
-  GapFinder(Band& band, const TetMesh& mesh, std::span<const ModelRef> on, const EdgeChains& chains)
-      : model_(band.model()), mesh_(mesh), on_(on), chains_(chains), band_(band) {}
+  GapFinder(Band& band, const TetMesh& mesh, std::span<const ModelRef> on, const EdgeChains& chains,
+            GapMemory& memory)
+      : model_(band.model()), mesh_(mesh), on_(on), chains_(chains), band_(band), memory_(memory) {}
 
   std::vector<Gap> run(GapScope scope) {
     missing_pieces();
@@ -77,10 +96,12 @@ class GapFinder {
     facets_ = &band_.facets(mesh_, on_);
     for (std::uint32_t n = 0; n < facets_->size(); ++n)
       if ((*facets_)[n].face == 0) add_facet(GapKind::kNoFace, n, ModelRef{});
-    const FacetsAtVertices around(on_.size(), *facets_);
-    std::vector<std::uint8_t> plain(on_.size(), 0);
-    const std::vector<BrokenFan> broken = broken_fans(around, plain);
-    edges(plain);
+    for (const VertexId v : band_.take_changed())
+      if (v.index() < memory_.fans_.size()) memory_.fans_[v.index()] = GapMemory::kAsk;
+    memory_.fans_.resize(on_.size(), GapMemory::kAsk);
+    const FacetsAtVertices around(on_.size(), *facets_, [&](std::uint32_t v) { return is_asked(v); });
+    const std::vector<BrokenFan> broken = broken_fans(around);
+    edges();
     vertices(around, broken);
     bare_faces();
     return std::move(gaps_);
@@ -92,20 +113,31 @@ class GapFinder {
     return on_[a.index()].dim > 1 || on_[b.index()].dim > 1 ? UINT32_MAX : chains_.find(a, b);
   }
 
+  [[nodiscard]] bool is_asked(std::uint32_t v) const { return memory_.fans_[v] == GapMemory::kAsk; }
+
+  /// Only pieces between two vertices that tetrahedra came to may have come or gone.
   void missing_pieces() {
-    const auto found =
-        collect<std::uint32_t>(mesh_.tets.size(), [&](std::size_t i, std::vector<std::uint32_t>& pieces) {
-          const TetId t(i);
-          if (!mesh_.alive(t) || mesh_.ghost(t)) return;
-          const auto& v = mesh_.tets[t];
-          if (std::count_if(v.begin(), v.end(), [&](VertexId w) { return on_[w.index()].dim <= 1; }) < 2)
-            return;
-          for (const auto& e : kTetEdge) {
-            if (const std::uint32_t n = piece_at(v[e[0]], v[e[1]]); n != UINT32_MAX) pieces.push_back(n);
-          }
-        });
-    std::vector<std::uint8_t> present(chains_.pieces().size(), 0);
+    std::vector<std::uint8_t>&touched = memory_.touched_, &present = memory_.present_;
+    touched.resize(on_.size(), 1);
+    for (std::size_t v = 0; v < on_.size(); ++v)
+      if (on_[v].dim > 1) touched[v] = 0;
+    present.resize(chains_.pieces().size(), 0);
+    for (std::uint32_t n = 0; n < present.size(); ++n)
+      if (touched[chains_[n].a] && touched[chains_[n].b]) present[n] = 0;
+    const auto found = collect<std::uint32_t>(mesh_.tets.size(), [&](std::size_t i,
+                                                                     std::vector<std::uint32_t>& pieces) {
+      const TetId t(i);
+      if (!mesh_.alive(t) || mesh_.ghost(t)) return;
+      const auto& v = mesh_.tets[t];
+      if (touched[v[0].index()] + touched[v[1].index()] + touched[v[2].index()] + touched[v[3].index()] < 2)
+        return;
+      for (const auto& e : kTetEdge) {
+        if (!touched[v[e[0]].index()] || !touched[v[e[1]].index()]) continue;
+        if (const std::uint32_t n = chains_.find(v[e[0]], v[e[1]]); n != UINT32_MAX) pieces.push_back(n);
+      }
+    });
     for (const std::uint32_t n : found) present[n] = 1;
+    std::fill(touched.begin(), touched.end(), std::uint8_t{0});
     for (std::uint32_t n = 0; n < present.size(); ++n)
       if (!present[n]) add_piece(GapKind::kMissingPiece, n);
   }
@@ -146,8 +178,9 @@ class GapFinder {
   }
 
   /// Edges at plain vertices join two facets on one face and are no pieces: of the others more is asked.
-  void edges(const std::vector<std::uint8_t>& plain) {
-    const std::vector<EdgeUseOfFacet> uses = edge_uses(plain, *facets_);
+  void edges() {
+    const auto is_plain = [&](std::uint32_t v) { return memory_.fans_[v] == GapMemory::kPlain; };
+    const std::vector<EdgeUseOfFacet> uses = edge_uses(is_plain, *facets_);
     std::vector<std::uint8_t> seen(chains_.pieces().size(), 0);
     for (const Gap& missing : gaps_)
       if (missing.kind == GapKind::kMissingPiece) seen[missing.piece] = 1;
@@ -196,9 +229,8 @@ class GapFinder {
 
   /// Facets around each vertex, joined over edges that are no pieces, must be one disk on a face and paths
   /// between pieces elsewhere; closed fans are right only where a face holds the vertex without an edge
-  /// (apex, pole). Marks the vertices that are plain.
-  [[nodiscard]] std::vector<BrokenFan> broken_fans(const FacetsAtVertices& around,
-                                                   std::vector<std::uint8_t>& plain) const {
+  /// (apex, pole). Remembers those that are as they should be.
+  [[nodiscard]] std::vector<BrokenFan> broken_fans(const FacetsAtVertices& around) {
     return joined(
         map_blocks<std::vector<BrokenFan>>(on_.size(), kScanBlock, [&](std::size_t first, std::size_t last) {
           std::vector<BrokenFan> found;
@@ -208,8 +240,10 @@ class GapFinder {
             const std::span<const std::uint32_t> facets = around[v];
             if (facets.empty()) continue;
             if (is_ring(v, facets, fan))
-              plain[i] = are_on_one_face(facets);
-            else if (!is_whole(v, facets, fan))
+              memory_.fans_[i] = are_on_one_face(facets) ? GapMemory::kPlain : GapMemory::kWhole;
+            else if (is_whole(v, facets, fan))
+              memory_.fans_[i] = GapMemory::kWhole;
+            else
               found.push_back({v, worst_of(facets)});
           }
           return found;
@@ -219,7 +253,7 @@ class GapFinder {
   void vertices(const FacetsAtVertices& around, const std::vector<BrokenFan>& broken) {
     for (const BrokenFan& fan : broken) add_facet(GapKind::kVertexFan, fan.facet, on_[fan.vertex.index()]);
     for (std::uint32_t v = 0; v < on_.size(); ++v)
-      if (on_[v].dim == 2 && around[VertexId(v)].empty() && bounds_a_region(on_[v].tag)) {
+      if (on_[v].dim == 2 && is_asked(v) && around[VertexId(v)].empty() && bounds_a_region(on_[v].tag)) {
         Gap gap;
         gap.kind = GapKind::kBareVertex;
         gap.entity = on_[v];
@@ -365,15 +399,20 @@ class GapFinder {
   std::span<const ModelRef> on_;
   const EdgeChains& chains_;
   Band& band_;
+  GapMemory& memory_;
   const std::vector<BoundaryFacet>* facets_ = nullptr;
   std::vector<Gap> gaps_;
 };
 
-}  // namespace
-
 std::vector<Gap> find_gaps(Band& band, const TetMesh& mesh, std::span<const ModelRef> on,
                            const EdgeChains& chains, GapScope scope) {
-  return GapFinder(band, mesh, on, chains).run(scope);
+  GapMemory nothing;
+  return GapFinder(band, mesh, on, chains, nothing).run(scope);
+}
+
+std::vector<Gap> find_gaps(Band& band, const TetMesh& mesh, std::span<const ModelRef> on,
+                           const EdgeChains& chains, GapMemory& memory) {
+  return GapFinder(band, mesh, on, chains, memory).run(GapScope::kPiecesFirst);
 }
 
 AttributePoint split_point(const Model& model, const TetMesh& mesh, std::span<const ModelRef> on,

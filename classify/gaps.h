@@ -44,6 +44,27 @@ enum class GapScope {
 [[nodiscard]] std::vector<Gap> find_gaps(Band& band, const TetMesh& mesh, std::span<const ModelRef> on,
                                          const EdgeChains& chains, GapScope scope = GapScope::kPiecesFirst);
 
+/// What a search for holes has seen, so that the next one looks at what changed alone. For one band, which
+/// no other memory may be used with in between.
+class GapMemory {
+ public:
+  /// Tells of tetrahedra that came since the last search.
+  void add(const TetMesh& mesh, std::span<const TetId> created);
+  /// Tells that an edge piece at this vertex has changed.
+  void ask_again(VertexId v);
+
+ private:
+  friend class GapFinder;
+  enum Fan : std::uint8_t { kAsk, kPlain, kWhole };
+  std::vector<std::uint8_t> touched_;  ///< per vertex: whether a tetrahedron came there; those beyond are new
+  std::vector<std::uint8_t> present_;  ///< per piece: whether it was an edge of the mesh
+  std::vector<std::uint8_t> fans_;     ///< per vertex: a Fan
+};
+
+/// As find_gaps() with kPiecesFirst: the same gaps.
+[[nodiscard]] std::vector<Gap> find_gaps(Band& band, const TetMesh& mesh, std::span<const ModelRef> on,
+                                         const EdgeChains& chains, GapMemory& memory);
+
 /// A point on the boundary that may close a hole.
 struct AttributePoint {
   Vec3 point = Vec3::Zero();

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <random>
 
 #include "base/vertex_order.h"
 #include "geom/analytic.h"
@@ -63,6 +65,30 @@ class Bench {
 
   std::vector<Gap> gaps(GapScope scope = GapScope::kPiecesFirst) {
     return find_gaps(band_, triangulation_.mesh(), on_, *chains_, scope);
+  }
+
+  std::vector<Gap> gaps(GapMemory& memory) {
+    return find_gaps(band_, triangulation_.mesh(), on_, *chains_, memory);
+  }
+
+  /// A point more, of which the memory is told.
+  VertexId insert(const Vec3& p, ModelRef on, GapMemory& memory) {
+    std::vector<TetId> created;
+    const VertexId v = triangulation_.insert(p, free_point_rank(on_.size()), TetId(), created);
+    if (v.index() < on_.size()) return v;
+    on_.push_back(on);
+    band_.update(mesh(), on_, created);
+    memory.add(mesh(), created);
+    return v;
+  }
+  /// Splits an edge piece in the middle of its parameters.
+  void split(std::uint32_t n, GapMemory& memory) {
+    const EdgePiece piece = (*chains_)[n];
+    const double t = 0.5 * (piece.ta + piece.tb);
+    const VertexId v = insert(band_.model().edge_point(piece.edge, t), model_edge(piece.edge), memory);
+    chains_->split(n, v, t);
+    memory.ask_again(VertexId(piece.a));
+    memory.ask_again(VertexId(piece.b));
   }
 
   AttributeResult close(std::size_t points) {
@@ -175,6 +201,53 @@ TEST(AttributePoints, AMissingEdgePieceIsFoundAndSplit) {
   EXPECT_EQ(static_cast<std::size_t>(pieces), gaps.size());
   EXPECT_GT(all.size(), gaps.size()) << "facets, too";
   EXPECT_TRUE(bench.close(500).gaps.empty());
+}
+
+/// Points at random about a cylinder, some where they say they are and some not, and splits of edge pieces,
+/// by turns: a search that remembers finds after each what one that does not finds.
+TEST(AttributePoints, ASearchThatRemembersFindsTheSameGaps) {
+  const Model model = analytic_cylinder(1.0, 1.0, {});
+  Bench bench(model, 0.4);
+  bench.triangulate([](const Vec3&, ModelRef) { return true; });
+  GapMemory memory;
+  std::map<GapKind, int> seen;
+  const auto compare = [&] {
+    const std::vector<Gap> found = bench.gaps(memory), fresh = bench.gaps();
+    EXPECT_EQ(found.size(), fresh.size());
+    for (std::size_t i = 0; i < std::min(found.size(), fresh.size()); ++i) {
+      EXPECT_TRUE(found[i].kind == fresh[i].kind && found[i].entity == fresh[i].entity &&
+                  found[i].piece == fresh[i].piece && found[i].vertex == fresh[i].vertex &&
+                  found[i].tet == fresh[i].tet && found[i].local == fresh[i].local);
+      ++seen[found[i].kind];
+    }
+    return fresh;
+  };
+  compare();
+  std::minstd_rand random(7);
+  const auto share = [&] { return std::uniform_real_distribution<double>(0.0, 1.0)(random); };
+  for (int step = 0; step < 200; ++step) {
+    const Vec3 p(2.4 * share() - 1.2, 2.4 * share() - 1.2, 1.4 * share() - 0.2);
+    const auto foot = model.closest(p, 3.0);
+    ASSERT_TRUE(foot);
+    switch (step % 4) {
+      case 0:
+      case 1:
+        if (foot->on.dim == 2) bench.insert(foot->point, foot->on, memory);
+        break;
+      case 2:
+        bench.insert(foot->point + 0.1 * (p - foot->point), model_region(share() < 0.5 ? 0 : 1), memory);
+        break;
+      default:
+        bench.insert(foot->point, model_face(1 + static_cast<int>(3.0 * share())), memory);
+    }
+    // What broke is split, as the loop does it, so that facets are looked at again.
+    for (int tries = 0; tries < 4; ++tries)
+      for (const Gap& gap : compare())
+        if (gap.kind == GapKind::kMissingPiece) bench.split(gap.piece, memory);
+  }
+  for (const GapKind kind :
+       {GapKind::kMissingPiece, GapKind::kNoFace, GapKind::kEdgeFan, GapKind::kVertexFan})
+    EXPECT_GT(seen[kind], 0) << static_cast<int>(kind);
 }
 
 TEST(SplitPoint, IsOnAPowerOfTwoShellAroundAModelVertex) {
