@@ -142,6 +142,12 @@ double chase_goal(const WorkMesh& mesh, double least, double goal) {
   return std::max(*at, least);
 }
 
+bool is_worse(const DihedralExtremes& made, const DihedralExtremes& given) {
+  constexpr double kAboutAsLarge = 0.9;
+  const double least = given.range.smallest;
+  return made.range.smallest < (made.below < given.below ? kAboutAsLarge * least : least);
+}
+
 Scheduled run_schedule(Workshop& shop, Chosen chosen, Observer& observer) {
   const FinalizeOptions& options = shop.options;
   const DihedralExtremes before = extremes(shop.mesh, options.target_dihedral);
@@ -156,10 +162,10 @@ Scheduled run_schedule(Workshop& shop, Chosen chosen, Observer& observer) {
   }
   DihedralExtremes after = extremes(shop.mesh, options.target_dihedral);
   const double smallest = before.range.smallest;
-  const double kept = options.coarse_size_at ? std::min(smallest, options.target_dihedral) : smallest;
+  DihedralExtremes given = before;
+  if (options.coarse_size_at) given.range.smallest = std::min(smallest, options.target_dihedral);
   Scheduled result;
-  if (after.range.smallest < kept) {
-    // Shapes grow by the sine, which an obtuse angle may have won by: then the mesh given is the better one.
+  if (is_worse(after, given)) {
     shop.report = FinalizeReport{};
     after = before;
   } else {

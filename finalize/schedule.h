@@ -6,6 +6,7 @@
 
 #include "base/observer.h"
 #include "finalize/workshop.h"
+#include "mesh/quality.h"
 
 namespace octet {
 
@@ -26,9 +27,15 @@ enum class Chosen {
   kWorst,    ///< the worst alone
 };
 
+/// Whether a mesh is a worse one than what it was made of: its smallest angle is less, or where fewer
+/// elements fall short of the target, less by more than a tenth. Shapes grow by the sine, which an obtuse
+/// angle may have won by; and of a part of a mesh the worst element may be one that only the next part can
+/// mend, which moves a little with its neighbours.
+[[nodiscard]] bool is_worse(const DihedralExtremes& made, const DihedralExtremes& given);
+
 struct Scheduled {
   FinalizeReport report;
-  std::optional<Mesh> better;  ///< none where its smallest angle would be less than that of the mesh given
+  std::optional<Mesh> better;  ///< none where it would be worse than the mesh given
 };
 /// Works on the mesh in the shop.
 [[nodiscard]] Scheduled run_schedule(Workshop& shop, Chosen chosen, Observer& observer);

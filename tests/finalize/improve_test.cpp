@@ -97,5 +97,16 @@ TEST(ChaseGoal, IsWhatATenthFallShortOfWhereMostDo) {
   EXPECT_EQ(chase_goal(few, least, goal), goal) << "so few take no time";
 }
 
+TEST(Schedule, AMeshIsNoWorseForALittleOfItsLeastAngleWhereFewerFallShort) {
+  const auto extremes = [](double smallest, std::size_t below) {
+    return DihedralExtremes{{smallest, 2.0}, below};
+  };
+  EXPECT_FALSE(is_worse(extremes(0.2, 3), extremes(0.1, 2)));
+  EXPECT_TRUE(is_worse(extremes(0.0999, 3), extremes(0.1, 3)));
+  EXPECT_FALSE(is_worse(extremes(0.0999, 2), extremes(0.1, 3)));
+  EXPECT_TRUE(is_worse(extremes(0.08, 2), extremes(0.1, 3)));
+  EXPECT_FALSE(is_worse(extremes(0.1, 3), extremes(0.1, 3)));
+}
+
 }  // namespace
 }  // namespace octet
