@@ -59,9 +59,10 @@ std::uint64_t label_of(const ElementGroups& groups, int dim, std::uint32_t i) {
 void write_elements(OutputFile& file, const Mesh& mesh, const ElementGroups& groups) {
   const bool second = !mesh.mid.empty();
   begin_dataset(file, 2412);
-  for (const auto& [ref, items] : groups.items) {
-    if (ref.dim == 0) continue;
-    const int dim = ref.dim, tag = ref.tag;
+  for (const auto& group : groups.items) {
+    const int dim = group.first.dim, tag = group.first.tag;
+    const std::vector<std::uint32_t>& items = group.second;
+    if (dim == 0) continue;
     file.write_blocks(items.size(), kBlock, [&](std::size_t first, std::size_t last, std::string& bytes) {
       auto out = std::back_inserter(bytes);
       for (std::size_t k = first; k < last; ++k) {
@@ -84,10 +85,11 @@ void write_groups(OutputFile& file, const ElementGroups& groups,
                   const std::map<ModelRef, std::string>& names) {
   begin_dataset(file, 2467);
   int number = 0;
-  for (const auto& [ref, items] : groups.items) {
+  for (const auto& group : groups.items) {
+    const int dim = group.first.dim;
+    const std::vector<std::uint32_t>& items = group.second;
     file.write(fmt::format("{:10}{:10}{:10}{:10}{:10}{:10}{:10}{:10}\n{}\n", ++number, 0, 0, 0, 0, 0, 0,
-                           items.size(), names.at(ref)));
-    const int dim = ref.dim;
+                           items.size(), names.at(group.first)));
     file.write_blocks(items.size(), kBlock, [&](std::size_t first, std::size_t last, std::string& bytes) {
       for (std::size_t k = first; k < last; ++k)
         fmt::format_to(std::back_inserter(bytes), "{:10}{:10}{:10}{:10}{}",
