@@ -32,6 +32,16 @@ Fault fault_of(const FaceTouch& touch, const Model& part) {
       "in the CAD system let the two share an edge there, or part them"};
 }
 
+Fault fault_of_coarseness(double size, const Vec3& place) {
+  return {
+      {},
+      place,
+      fmt::format("at a size of {:.6g} mm most of the boundary has no mesh faces: walls, bores or gaps all "
+                  "over the part are many times thinner",
+                  size),
+      "ask for a size near their width"};
+}
+
 Fault warning_of(const FaceCrossing& crossing, const Model& part) {
   return {model_face(crossing.face[0]), crossing.place,
           fmt::format("it crosses {} by {:.3g} mm or more", part.describe(model_face(crossing.face[1])),

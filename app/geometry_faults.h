@@ -14,5 +14,7 @@ namespace octet {
 [[nodiscard]] Fault warning_of(const WideGap& gap, const Model& part);
 [[nodiscard]] Fault warning_of(const FaceCrossing& crossing, const Model& part);
 [[nodiscard]] Fault fault_of(const FaceTouch& touch, const Model& part);
+/// Of a part that is far thinner than the size all over; `place`: about its middle.
+[[nodiscard]] Fault fault_of_coarseness(double size, const Vec3& place);
 
 }  // namespace octet

@@ -62,18 +62,6 @@ std::vector<Interface> interfaces_of(const Model& model) {
   return interfaces;
 }
 
-std::vector<NumberChange> changed_numbers(const Provenance& provenance) {
-  std::vector<NumberChange> changes;
-  for (int dim = 0; dim < 4; ++dim) {
-    const auto& entities = provenance.as_read[static_cast<std::size_t>(dim)];
-    for (int number = 1; number < static_cast<int>(entities.size()); ++number) {
-      const std::vector<int>& tags = entities[static_cast<std::size_t>(number)].tags;
-      if (!tags.empty() && tags != std::vector<int>{number}) changes.push_back({{dim, number}, tags});
-    }
-  }
-  return changes;
-}
-
 }  // namespace
 
 PartInfo part_info(const Model& model) {
@@ -86,6 +74,7 @@ PartInfo part_info(const Model& model) {
   info.interfaces = interfaces_of(model);
   info.overlaps = overlaps(model.provenance(), model.count(3));
   info.changes = changed_numbers(model.provenance());
+  std::erase_if(info.changes, [](const NumberChange& change) { return change.tags.empty(); });
   info.tiny = tiny_features(model);
   info.thinnest = thinnest_wall(model);
   info.default_size = with_default_size(OwnFrame(model, {}).model(), {}).size;

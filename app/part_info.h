@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/changed_numbers.h"
 #include "app/self_contact.h"
 #include "geom/model.h"
 #include "geom/thickness.h"
@@ -18,12 +19,6 @@ struct Interface {
   std::array<int, 2> regions{0, 0};  ///< ascending
   std::vector<int> faces;            ///< ascending
   double area = 0.0;                 ///< mm^2
-};
-
-/// Numbers that fusing or healing changed: what an entity as read became.
-struct NumberChange {
-  ModelRef as_read;
-  std::vector<int> tags;  ///< ascending; never just the number as read, nor empty (that is LeftOut)
 };
 
 struct PartInfo {
@@ -42,7 +37,7 @@ struct PartInfo {
   std::vector<int> dangling_faces;    ///< faces with the same region, or none, on both sides
   std::vector<Interface> interfaces;  ///< ascending by regions
   std::vector<Overlap> overlaps;
-  std::vector<NumberChange> changes;  ///< by dimension, from vertices up
+  std::vector<NumberChange> changes;  ///< but for what is not in the model (that is LeftOut)
   std::optional<Wall> thinnest;
   double default_size = 0.0;  ///< what `octet mesh` takes without --size, mm
 };

@@ -221,7 +221,8 @@ class Run {
     if (gaps_left_ && !too_coarse_) tell_touches(faults);
     for (Fault& fault : faults) fault.place = frame_.to_part(fault.place);
     if (gaps_left_) faults.insert(faults.begin(), crossings_.begin(), crossings_.end());
-    if (gaps_left_ && too_coarse_) faults.insert(faults.begin(), fault_of_coarseness());
+    if (gaps_left_ && too_coarse_)
+      faults.insert(faults.begin(), fault_of_coarseness(plan_.asked, frame_.to_part(model_.box().centre())));
   }
 
   /// Points nearer to each other than is good for elements, for the gaps that nothing else closes.
@@ -262,16 +263,6 @@ class Run {
   [[nodiscard]] static std::size_t most_gaps(const Attempt& attempt) {
     return attempt.tree.size() > kLargeTree ? attempt.surface_points
                                             : std::numeric_limits<std::size_t>::max();
-  }
-
-  [[nodiscard]] Fault fault_of_coarseness() const {
-    return {
-        {},
-        frame_.to_part(model_.box().centre()),
-        fmt::format("at a size of {:.6g} mm most of the boundary has no mesh faces: walls, bores or gaps all "
-                    "over the part are many times thinner",
-                    plan_.asked),
-        "ask for a size near their width"};
   }
 
   /// How many holes an attempt left; facets are not looked at while edges lack pieces, so that says the most.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/changed_numbers.h"
 #include "app/measures.h"
 #include "app/region_measures.h"
 #include "app/self_contact.h"
@@ -109,18 +110,10 @@ Json regions_json(const Model& model, const Acceptance& acceptance) {
   return json;
 }
 
-/// What fusing, healing and leaving out have made of the file's numbers: those that are no more their
-/// entity's.
-Json renumbered_json(const Provenance& provenance) {
+Json renumbered_json(const Model& model) {
   Json json = Json::array();
-  for (int dim = 0; dim < 4; ++dim) {
-    const auto& entities = provenance.as_read[static_cast<std::size_t>(dim)];
-    for (int number = 1; number < static_cast<int>(entities.size()); ++number) {
-      const std::vector<int>& tags = entities[static_cast<std::size_t>(number)].tags;
-      if (tags != std::vector<int>{number})
-        json.push_back({{"dim", dim}, {"as_read", number}, {"tags", tags}});
-    }
-  }
+  for (const NumberChange& change : changed_numbers(model.provenance()))
+    json.push_back({{"dim", change.as_read.dim}, {"as_read", change.as_read.tag}, {"tags", change.tags}});
   return json;
 }
 
@@ -153,7 +146,7 @@ std::string mesh_report_json(const RunNames& names, const Model& model, const Me
                         {"place", vec_json(farthest->place)}};
   const SelfContact contact = self_contact(model);
   json["touches_itself"] = {{"edges", contact.edges}, {"vertices", contact.vertices}};
-  json["renumbered"] = renumbered_json(model.provenance());
+  json["renumbered"] = renumbered_json(model);
   json["times"] = Json::array();
   for (const StageTime& time : report.times)
     json["times"].push_back({{"stage", time.name},

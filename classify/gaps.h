@@ -44,8 +44,8 @@ enum class GapScope {
 [[nodiscard]] std::vector<Gap> find_gaps(Band& band, const TetMesh& mesh, std::span<const ModelRef> on,
                                          const EdgeChains& chains, GapScope scope = GapScope::kPiecesFirst);
 
-/// What a search for holes has seen, so that the next one looks at what changed alone. For one band, which
-/// no other memory may be used with in between.
+/// What a search for holes has seen, so that the next one looks at what changed alone. For one band, of which
+/// no search with another memory, or without one, may be made in between: it would take what changed.
 class GapMemory {
  public:
   /// Tells of tetrahedra that came since the last search.

@@ -8,10 +8,11 @@
 #include <cstdlib>
 #include <set>
 
+#include "io/set_names.h"
+
 namespace octet {
 namespace {
 
-constexpr const char* kKind[4] = {"Vertex", "Edge", "Face", "Solid"};
 constexpr std::size_t kLongestName = 127;  // MSH's limit
 
 /// Cut to `limit` bytes, not within a UTF-8 character.
@@ -167,7 +168,7 @@ std::map<ModelRef, std::string> physical_names(const ModelOutline& outline) {
   for (int dim = 0; dim < 4; ++dim)
     for (const auto& e : outline.entities[dim]) {
       if (e.tag <= 0 || (e.name.empty() && dim < 2)) continue;
-      const std::string own = fmt::format("{}{}", kKind[dim], e.tag);
+      const std::string own = entity_name({dim, e.tag});
       std::string name = shortened(printable(e.name), kLongestName);
       // A name that several entities share gets the entity's own beside it, for readers look groups up by
       // name.

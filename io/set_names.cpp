@@ -10,8 +10,6 @@
 namespace octet {
 namespace {
 
-constexpr const char* kKind[4] = {"Vertex", "Edge", "Face", "Solid"};
-
 char upper_case(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
 bool is_letter(char c) { return upper_case(c) >= 'A' && upper_case(c) <= 'Z'; }
@@ -24,6 +22,11 @@ std::string set_name(const std::string& name) {
 
 }  // namespace
 
+std::string entity_name(ModelRef entity) {
+  constexpr const char* kKind[4] = {"Vertex", "Edge", "Face", "Solid"};
+  return fmt::format("{}{}", kKind[entity.dim], entity.tag);
+}
+
 std::map<ModelRef, std::string> set_names(const ModelOutline& outline, std::size_t longest) {
   std::map<ModelRef, std::string> names;
   std::set<std::string> taken;
@@ -33,7 +36,7 @@ std::map<ModelRef, std::string> set_names(const ModelOutline& outline, std::size
   };
   for (int dim = 3; dim >= 0; --dim)
     for (const OutlineEntity& e : outline.entities[static_cast<std::size_t>(dim)]) {
-      const std::string own = fmt::format("{}{}", kKind[dim], e.tag);
+      const std::string own = entity_name({dim, e.tag});
       const std::string given = set_name(e.name).substr(0, longest);
       std::string name = given.empty() ? own : given;
       for (std::string behind = "_" + own; !is_new(name); behind += "_" + own)

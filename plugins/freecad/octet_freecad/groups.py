@@ -29,7 +29,10 @@ def count_as_freecad(femmesh, renumbered, counts):
                 items.update(femmesh.getGroupElements(group))
         members[change["dim"], change["as_read"]] = sorted(items)
     for name, group in by_name.items():
-        kind, number = element_of(name)
+        element = element_of(name)
+        if element is None:  # it has a name of its own, as what --cap closes has
+            continue
+        kind, number = element
         dim = KINDS.index(kind)
         if (dim, number) in members or number > counts[dim]:
             femmesh.removeGroup(group)

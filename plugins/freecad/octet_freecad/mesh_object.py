@@ -2,6 +2,8 @@
 """The document object: what is to be meshed, and how fine."""
 import FreeCAD
 
+from .stateless import Stateless
+
 PROPERTIES = [
     # name, type, group, tooltip, value
     ("Part", "App::PropertyLink", "Octet", "The part or body whose solids are meshed", None),
@@ -61,7 +63,7 @@ PROPERTIES = [
 READ_ONLY = ("Status", "Summary", "Faults")
 
 
-class OctetMesh:
+class OctetMesh(Stateless):
     """Proxy of a Fem::FemMeshObjectPython."""
 
     Type = "Fem::FemMeshOctet"
@@ -86,19 +88,6 @@ class OctetMesh:
 
     def execute(self, obj):
         """Meshes are made when asked for, not with every change of the document."""
-
-    def __getstate__(self):
-        return None
-
-    def __setstate__(self, state):
-        return None
-
-    # What newer versions of FreeCAD call the two above.
-    def dumps(self):
-        return None
-
-    def loads(self, state):
-        return None
 
 
 def make_mesh(document, part, name="OctetMesh"):

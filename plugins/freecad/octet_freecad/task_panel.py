@@ -6,6 +6,7 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
+from .commands import ICON
 from .groups import element_of
 from .mesher import Mesher
 from .program import OctetError
@@ -28,7 +29,7 @@ class TaskPanel:
     def _make_form(self):
         form = QtGui.QWidget()
         form.setWindowTitle("Octet mesh")
-        form.setWindowIcon(QtGui.QIcon(__file__.replace("task_panel.py", "octet.svg")))
+        form.setWindowIcon(QtGui.QIcon(ICON))
         rows = QtGui.QFormLayout(form)
         self.size = self._quantity(self.obj.Size, "0: from the part's own dimensions")
         self.min_size = self._quantity(self.obj.MinSize, "0: a thirty-second of the size")

@@ -3,9 +3,10 @@
 import FreeCADGui
 
 from .commands import ICON
+from .stateless import Stateless
 
 
-class OctetViewProvider:
+class OctetViewProvider(Stateless):
     """Proxy of the view of a mesh object."""
 
     def __init__(self, view):
@@ -32,15 +33,3 @@ class OctetViewProvider:
         if not document.getInEdit():
             document.setEdit(view.Object.Name)
         return True
-
-    def __getstate__(self):
-        return None
-
-    def __setstate__(self, state):
-        return None
-
-    def dumps(self):
-        return None
-
-    def loads(self, state):
-        return None
