@@ -9,8 +9,10 @@
 #include <cstdint>
 #include <cstdio>
 #include <limits>
+#include <string>
 #include <system_error>
 #include <thread>
+#include <vector>
 
 #include "app/commands.h"
 #include "app/console.h"
@@ -58,12 +60,12 @@ void check_distinct(const fs::path& a, const fs::path& b) {
 }
 
 void check_outputs(const MeshCommand& command) {
-  check_distinct(command.part, command.output);
-  check_writable(command.output);
-  if (!command.report.empty()) {
-    check_distinct(command.part, command.report);
-    check_distinct(command.output, command.report);
-    check_writable(command.report);
+  std::vector<fs::path> files = command.outputs;
+  if (!command.report.empty()) files.push_back(command.report);
+  for (auto file = files.begin(); file != files.end(); ++file) {
+    check_distinct(command.part, *file);
+    for (auto before = files.begin(); before != file; ++before) check_distinct(*before, *file);
+    check_writable(*file);
   }
   if (!command.dump_directory.empty()) make_directory(command.dump_directory);
 }
@@ -84,7 +86,7 @@ ConsoleOptions console_options(const MeshCommand& command) {
 }
 
 int mesh_to_file(const MeshCommand& command, const MeshOptions& options, const LengthUnit& unit,
-                 const RunNames& names, MeshFormat format) {
+                 const RunNames& names, const std::vector<MeshFormat>& formats) {
   Console console(console_options(command));
   MeshedFile made = mesh_file(
       command.part, command.reading, [&](const Model& part) { return mesh_part(part, options, console); },
@@ -96,13 +98,17 @@ int mesh_to_file(const MeshCommand& command, const MeshOptions& options, const L
   console.stage("writing", 1.0);
   WriteOptions write_options;
   write_options.scale = 1.0 / unit.millimetres;
-  write_mesh(command.output, made.result.mesh, outline_of(model), format, write_options);
+  const ModelOutline outline = outline_of(model);
+  for (std::size_t i = 0; i < formats.size(); ++i)
+    write_mesh(command.outputs[i], made.result.mesh, outline, formats[i], write_options);
   report.times.push_back(clock.lap("writing"));
   write_report(command.report, mesh_report_json(names, model, report));
   console.clear();
 
   if (!command.quiet)
-    fmt::print("{} -> {} ({})\n{}", names.part, names.mesh, unit.name, mesh_summary(model, report));
+    fmt::print("{} -> {} ({})\n{}", names.part,
+               fmt::join(std::vector<std::string>(command.outputs.begin(), command.outputs.end()), ", "),
+               unit.name, mesh_summary(model, report));
   return report.status == MeshStatus::kComplete ? kExitComplete : kExitIncomplete;
 }
 
@@ -111,13 +117,18 @@ int mesh_to_file(const MeshCommand& command, const MeshOptions& options, const L
 int run_mesh(const MeshCommand& command) {
   const LengthUnit unit = length_unit(command.unit.empty() ? "mm" : command.unit);
   const MeshOptions options = mesh_options(command, unit);
-  const MeshFormat format = mesh_format(command.output, command.format);
+  if (!command.format.empty() && command.outputs.size() > 1)
+    throw InputError("--format is for one output; of several, the suffix of each tells");
+  std::vector<MeshFormat> formats;
+  for (const fs::path& output : command.outputs) formats.push_back(mesh_format(output, command.format));
   check_outputs(command);
   const tbb::global_control most_threads(tbb::global_control::max_allowed_parallelism,
                                          static_cast<std::size_t>(options.threads));
-  const RunNames names{command.part.string(), command.output.string(), unit.name};
+  RunNames names{command.part.string(), command.outputs.front().string(), unit.name};
+  for (auto copy = command.outputs.begin() + 1; copy != command.outputs.end(); ++copy)
+    names.copies.push_back(copy->string());
   try {
-    return mesh_to_file(command, options, unit, names, format);
+    return mesh_to_file(command, options, unit, names, formats);
   } catch (const std::exception& error) {
     write_report(command.report, failure_json(names, error.what()));
     throw;

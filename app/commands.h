@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/size_words.h"
 #include "finalize/finalize.h"
@@ -14,11 +15,12 @@
 namespace octet {
 
 struct MeshCommand {
-  std::filesystem::path part, output, report, dump_directory;
+  std::filesystem::path part, report, dump_directory;
+  std::vector<std::filesystem::path> outputs;  ///< at least one; the same mesh in each
   ReadOptions reading;
   SizeWords sizes;             ///< in `unit`
   std::string unit;            ///< empty: millimetre
-  std::string format;          ///< empty: by the output's suffix
+  std::string format;          ///< empty: by each output's suffix
   std::optional<int> threads;  ///< none: one per core
   std::optional<double> max_elements;
   bool finalize = true;

@@ -74,12 +74,14 @@ void add_order(CLI::App& sub, int& order, const char* none_given) {
       ->type_name("N");
 }
 
-void add_mesh(CLI::App& app, MeshCommand& mesh) {
-  CLI::App& sub = *app.add_subcommand("mesh", "Mesh a CAD part: classified tetrahedra");
-  sub.add_option("part", mesh.part, "STEP, IGES or BREP file")->required()->type_name("FILE");
-  sub.add_option("-o,--output", mesh.output, "Mesh file to write (.msh, .vtu, .inp or .unv)")
+/// What `mesh` and `adapt` have alike.
+void add_meshing(CLI::App& sub, MeshCommand& mesh) {
+  sub.add_option("-o,--output", mesh.outputs,
+                 "Mesh file to write (.msh, .vtu, .inp or .unv), may be repeated: the same mesh in each")
       ->required()
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   add_size_options(sub, mesh.sizes);
   add_order(sub, mesh.order, "1");
   sub.add_option("--unit", mesh.unit, kUnitHelp)->type_name("UNIT");
@@ -115,6 +117,12 @@ void add_mesh(CLI::App& app, MeshCommand& mesh) {
   sub.footer(kFooter);
 }
 
+void add_mesh(CLI::App& app, MeshCommand& mesh) {
+  CLI::App& sub = *app.add_subcommand("mesh", "Mesh a CAD part: classified tetrahedra");
+  sub.add_option("part", mesh.part, "STEP, IGES or BREP file")->required()->type_name("FILE");
+  add_meshing(sub, mesh);
+}
+
 void add_adapt(CLI::App& app, MeshCommand& adapt) {
   CLI::App& sub =
       *app.add_subcommand("adapt", "Mesh a part anew, with the sizes that an error estimate wants");
@@ -122,20 +130,10 @@ void add_adapt(CLI::App& app, MeshCommand& adapt) {
       ->required()
       ->type_name("FILE");
   sub.add_option("part", adapt.part, "STEP, IGES or BREP file")->required()->type_name("FILE");
-  sub.add_option("-o,--output", adapt.output, "Mesh file to write (.msh, .vtu, .inp or .unv)")
-      ->required()
-      ->type_name("FILE");
-  add_size_options(sub, adapt.sizes);
-  add_order(sub, adapt.order, "1");
+  add_meshing(sub, adapt);
   sub.get_option("--field")->required()->description(
       "Sizes wanted: CSV with one size a line, for each tetrahedron or each node of the mesh in its order; "
-      "or as "
-      "for octet mesh");
-  sub.add_option("--unit", adapt.unit, kUnitHelp)->type_name("UNIT");
-  sub.add_option("--report", adapt.report, "Write a report as JSON")->type_name("FILE");
-  sub.add_flag("--quiet,-q", adapt.quiet, "Print nothing but errors");
-  add_reading_options(sub, adapt.reading);
-  sub.footer(kFooter);
+      "or as for octet mesh");
   adapt.sizes.size_of_field = true;
 }
 

@@ -57,11 +57,10 @@ Json measure_json(double mesh, double cad) {
 }
 
 Json head_json(const RunNames& names, const char* status) {
-  return {{"octet", OCTET_VERSION},
-          {"status", status},
-          {"part", names.part},
-          {"mesh", names.mesh},
-          {"mesh_unit", names.mesh_unit}};
+  Json json{{"octet", OCTET_VERSION}, {"status", status}, {"part", names.part}, {"mesh", names.mesh}};
+  if (!names.copies.empty()) json["copies"] = names.copies;
+  json["mesh_unit"] = names.mesh_unit;
+  return json;
 }
 
 Json quality_json(const QualitySummary& quality) {

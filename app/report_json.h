@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "app/mesh_part.h"
 
@@ -12,7 +13,8 @@ namespace octet {
 struct RunNames {
   std::string part;
   std::string mesh;
-  std::string mesh_unit;  ///< of the mesh file's coordinates
+  std::string mesh_unit;              ///< of the mesh files' coordinates
+  std::vector<std::string> copies{};  ///< further files of the same mesh
 };
 
 [[nodiscard]] std::string mesh_report_json(const RunNames& names, const Model& model,

@@ -51,6 +51,37 @@ TEST(MeshCommand, MeshesTheBracketCompletely) {
   EXPECT_EQ(out.names(), (std::vector<std::string>{"a.json", "a.msh"}));
 }
 
+TEST(MeshCommand, WritesOneMeshIntoSeveralFiles) {
+  const TemporaryDirectory out;
+  const auto run = mesh_bracket(
+      out.file("a.msh"), {"-o", out.file("a.vtu"), "-o", out.file("a.inp"), "--report", out.file("a.json")});
+  ASSERT_EQ(run.exit_code, kExitComplete) << run.out << run.err;
+  const Json report = Json::parse(read_bytes(out.file("a.json")));
+  EXPECT_EQ(report["mesh"], out.file("a.msh"));
+  EXPECT_EQ(report["copies"], Json({out.file("a.vtu"), out.file("a.inp")}));
+  EXPECT_NE(run.out.find(out.file("a.msh") + ", " + out.file("a.vtu") + ", " + out.file("a.inp")),
+            std::string::npos)
+      << run.out;
+  for (const std::string name : {"a.msh", "a.vtu", "a.inp"}) {
+    const std::string alone = out.file("alone_" + name);
+    ASSERT_EQ(mesh_bracket(alone).exit_code, kExitComplete);
+    EXPECT_EQ(read_bytes(out.file(name)), read_bytes(alone)) << name;
+  }
+}
+
+TEST(MeshCommand, RefusesOutputsThatCannotAllBeWritten) {
+  const TemporaryDirectory out;
+  const auto twice = mesh_bracket(out.file("a.msh"), {"-o", out.file("a.msh")});
+  EXPECT_EQ(twice.exit_code, kExitBadInput);
+  EXPECT_NE(twice.err.find("are the same file"), std::string::npos) << twice.err;
+  const auto format = mesh_bracket(out.file("a.msh"), {"-o", out.file("a.inp"), "--format", "msh22"});
+  EXPECT_EQ(format.exit_code, kExitBadInput);
+  EXPECT_NE(format.err.find("--format is for one output"), std::string::npos) << format.err;
+  const auto unknown = mesh_bracket(out.file("a.msh"), {"-o", out.file("a.xyz")});
+  EXPECT_EQ(unknown.exit_code, kExitBadInput);
+  EXPECT_TRUE(out.names().empty());
+}
+
 TEST(MeshCommand, TellsWhereAllOfItsTimeWent) {
   const TemporaryDirectory out;
   const auto run = mesh_bracket(out.file("a.msh"), {"--report", out.file("a.json")});
