@@ -234,10 +234,13 @@ void tessellate(const Numbering& numbering, double deflection, const StageLog& l
                                               : default_deflections(parts, extents);
   const double coarsest = *std::max_element(deflections.begin(), deflections.end());
   std::optional<ModelError> first;
+  bool closes = false;
   const auto succeeds = [&](const auto& triangulate) {
     try {
+      closes = false;
       triangulate();
       weld(numbering, parts);
+      closes = true;
       refuse_far_facets(parts, deflections, extents.diagonal());
       return true;
     } catch (const ModelError& error) {
@@ -251,9 +254,11 @@ void tessellate(const Numbering& numbering, double deflection, const StageLog& l
   };
   if (succeeds(own)) return;
   // OCCT's mesher takes loops that are not closed; it now and then loses a face or a piece of one where loops
-  // nearly touch, and another spacing of the nodes along the edges then often succeeds.
+  // nearly touch, and another spacing of the nodes along the edges then often succeeds. It does not where
+  // facets are closed and far off, and takes long.
   log(fmt::format("triangulating the faces with OCCT's mesher, since {},", first->what()));
-  for (const double share : {1.0, 0.4, 0.15, 2.3})
+  const std::vector<double> shares = closes ? std::vector{1.0} : std::vector{1.0, 0.4, 0.15, 2.3};
+  for (const double share : shares)
     if (succeeds([&] { run_mesher(numbering, share * coarsest); })) return;
   throw ModelError(*first);
 }
