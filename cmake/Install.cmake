@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # The installed tree: bin/octet, lib/liboctet_*.a, include/octet/<room>/*.h, libexec/octet/octet-reader,
-# share/octet/freecad, and a package for find_package(octet).
+# share/octet/python, share/octet/freecad, and a package for find_package(octet).
 include(CMakePackageConfigHelpers)
 
 # octet::octet is the whole library under one name.
@@ -30,6 +30,7 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/octetConfigVersion.cmake 
 install(FILES ${PROJECT_BINARY_DIR}/octetConfig.cmake ${PROJECT_BINARY_DIR}/octetConfigVersion.cmake
         DESTINATION ${package_dir})
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
-# The plug-in for FreeCAD, to be linked into its folder Mod: it looks for the program in ../../../bin from there.
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/plugins/freecad DESTINATION ${CMAKE_INSTALL_DATADIR}/octet
-        PATTERN __pycache__ EXCLUDE)
+# The Python package, for PYTHONPATH, and the plug-in for FreeCAD, to be linked into its folder Mod, which uses it.
+# It looks for the program in ../../../bin from its folder.
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/plugins/python ${PROJECT_SOURCE_DIR}/plugins/freecad
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/octet PATTERN __pycache__ EXCLUDE)

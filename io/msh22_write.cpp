@@ -85,7 +85,7 @@ void write_msh22(OutputFile& file, const Mesh& mesh, const ModelOutline& outline
     file.write("\n");
   }
   file.write("$EndMeshFormat\n");
-  file.write(physical_names_section(physical_names(complete_outline(outline, mesh))));
+  file.write(physical_names_section(physical_names(complete_outline(outline, mesh), groups)));
   write_nodes(file, mesh, binary, scale);
   write_elements(file, mesh, groups, binary);
 }

@@ -138,8 +138,7 @@ void write_nodes(Sink& sink, const Mesh& mesh, double scale) {
   sink.end("Nodes");
 }
 
-void write_elements(Sink& sink, const Mesh& mesh) {
-  const ElementGroups groups = group_elements(mesh);
+void write_elements(Sink& sink, const Mesh& mesh, const ElementGroups& groups) {
   sink.begin("Elements");
   write_counts(sink, groups.items.size(), groups.total);
   for (const auto& group : groups.items) {
@@ -159,13 +158,14 @@ void write_elements(Sink& sink, const Mesh& mesh) {
 void write_msh41(OutputFile& file, const Mesh& mesh, const ModelOutline& outline, Encoding encoding,
                  double scale) {
   const ModelOutline whole = complete_outline(outline, mesh);
-  const auto names = physical_names(whole);
+  const ElementGroups groups = group_elements(mesh);
+  const auto names = physical_names(whole, groups);
   write_header(file, encoding);
   file.write(physical_names_section(names));
   Sink sink(file, encoding);
   write_entities(sink, whole, names, scale);
   write_nodes(sink, mesh, scale);
-  write_elements(sink, mesh);
+  write_elements(sink, mesh, groups);
 }
 
 }  // namespace octet

@@ -157,17 +157,16 @@ int element_nodes(const Mesh& mesh, const ElementGroups& groups, int dim, std::u
   return n;
 }
 
-std::map<ModelRef, std::string> physical_names(const ModelOutline& outline) {
+std::map<ModelRef, std::string> physical_names(const ModelOutline& outline, const ElementGroups& groups) {
   std::map<std::string, int> uses;
   for (const auto& entities : outline.entities)
     for (const auto& e : entities)
       if (!e.name.empty()) ++uses[shortened(printable(e.name), kLongestName)];
   std::map<ModelRef, std::string> names;
-  if (uses.empty()) return names;
   std::set<std::string> taken;
   for (int dim = 0; dim < 4; ++dim)
     for (const auto& e : outline.entities[dim]) {
-      if (e.tag <= 0 || (e.name.empty() && dim < 2)) continue;
+      if (e.tag <= 0 || (e.name.empty() && !groups.items.contains({dim, e.tag}))) continue;
       const std::string own = entity_name({dim, e.tag});
       std::string name = shortened(printable(e.name), kLongestName);
       // A name that several entities share gets the entity's own beside it, for readers look groups up by

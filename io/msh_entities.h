@@ -47,10 +47,12 @@ inline constexpr std::size_t kMostNodes = 10;
 int element_nodes(const Mesh& mesh, const ElementGroups& groups, int dim, std::uint32_t i,
                   std::uint64_t nodes[kMostNodes]);
 
-/// Names of the physical groups by entity: every named entity, and, when there is any name, every face and
-/// region (`Face12`, `Solid1`), for readers skip what is in no group once there is a group. Names are unique,
-/// at most 127 bytes, free of quotes and control characters. The number of a group is its entity's tag.
-[[nodiscard]] std::map<ModelRef, std::string> physical_names(const ModelOutline& outline);
+/// Names of the physical groups by entity: every entity that has elements or a name is one, by its name or
+/// as `Face12`, for some readers skip what is in no group, and some take files in which all is or nothing.
+/// Names are unique, at most 127 bytes, free of quotes and control characters. The number of a group is its
+/// entity's tag.
+[[nodiscard]] std::map<ModelRef, std::string> physical_names(const ModelOutline& outline,
+                                                             const ElementGroups& groups);
 
 /// The $PhysicalNames section, empty when there is none.
 [[nodiscard]] std::string physical_names_section(const std::map<ModelRef, std::string>& names);

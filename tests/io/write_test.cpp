@@ -2,6 +2,7 @@
 // Every format gives back what went in; nothing half-written is ever left behind.
 #include "io/write.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <zlib.h>
 
@@ -11,6 +12,7 @@
 #include <iterator>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "base/error.h"
 #include "io/msh_read.h"
@@ -222,21 +224,41 @@ TEST_F(Write, ScaleMultipliesCoordinates) {
   }
 }
 
-TEST_F(Write, NamesBecomeUniqueGroupsOfEveryFaceAndRegion) {
+/// Lines of $PhysicalNames.
+std::vector<std::string> groups_in(const std::string& text) {
+  std::istringstream lines(text.substr(text.find("$PhysicalNames\n") + 15));
+  std::string line;
+  std::getline(lines, line);
+  std::vector<std::string> groups(std::stoul(line));
+  for (std::string& group : groups) std::getline(lines, group);
+  return groups;
+}
+
+TEST_F(Write, EveryEntityIsAGroupOfItsUniqueName) {
   ModelOutline outline = test::plain_box_outline(kSize, true);
   outline.entities[2][0].name = "bore \"A\"";
   outline.entities[1][4].name = "rim";
-  write_mesh(directory_ / "a", test::plain_box_mesh(1), outline, MeshFormat::kMsh41Ascii);
-  const std::string text = bytes_of(directory_ / "a");
-  EXPECT_NE(text.find("$PhysicalNames\n8\n1 5 \"rim\"\n2 1 \"bore 'A' Face1\"\n2 2 \"Face2\"\n"
-                      "2 3 \"bore 'A' Face3\"\n2 4 \"Face4\"\n2 5 \"Face5\"\n2 6 \"Face6\"\n3 1 \"body\"\n"),
-            std::string::npos);
+  std::vector<std::string> wanted;
+  for (int v = 1; v <= 8; ++v) wanted.push_back(fmt::format("0 {0} \"Vertex{0}\"", v));
+  for (int e = 1; e <= 12; ++e)
+    wanted.push_back(e == 5 ? std::string("1 5 \"rim\"") : fmt::format("1 {0} \"Edge{0}\"", e));
+  for (const std::string name : {"1 \"bore 'A' Face1\"", "2 \"Face2\"", "3 \"bore 'A' Face3\"", "4 \"Face4\"",
+                                 "5 \"Face5\"", "6 \"Face6\""})
+    wanted.push_back("2 " + name);
+  wanted.push_back("3 1 \"body\"");
+  for (const MeshFormat format : {MeshFormat::kMsh41Ascii, MeshFormat::kMsh22Ascii}) {
+    write_mesh(directory_ / "a", test::plain_box_mesh(1), outline, format);
+    EXPECT_EQ(groups_in(bytes_of(directory_ / "a")), wanted);
+  }
 }
 
-TEST_F(Write, WithoutNamesThereAreNoGroups) {
-  write_mesh(directory_ / "a", test::plain_box_mesh(1), test::plain_box_outline(kSize, false),
-             MeshFormat::kMsh41Ascii);
-  EXPECT_EQ(bytes_of(directory_ / "a").find("$PhysicalNames"), std::string::npos);
+// meshio takes no file in which some blocks of elements are in groups and others are not.
+TEST_F(Write, EveryBlockOfElementsIsInAGroupWithNamesAndWithout) {
+  for (const bool named : {false, true}) {
+    write_mesh(directory_ / "a", test::plain_box_mesh(1), test::plain_box_outline(kSize, named),
+               MeshFormat::kMsh41Ascii);
+    EXPECT_EQ(groups_in(bytes_of(directory_ / "a")).size(), 27u);
+  }
 }
 
 TEST_F(Write, LongNamesAreCutBetweenCharactersAndStayUnique) {
@@ -257,9 +279,9 @@ TEST_F(Write, EntitiesTellBoxesAndBounds) {
   write_mesh(directory_ / "a", test::plain_box_mesh(1), test::plain_box_outline(kSize, false),
              MeshFormat::kMsh41Ascii);
   const std::string text = bytes_of(directory_ / "a");
-  EXPECT_NE(text.find("$Entities\n8 12 6 1\n1 0 0 0 0\n2 0 0 1 0\n"), std::string::npos);
-  EXPECT_NE(text.find("\n1 0 0 0 0 0 1 0 2 1 -2\n"), std::string::npos);
-  EXPECT_NE(text.find("\n1 0 0 0 3 2 1 0 6 "), std::string::npos);
+  EXPECT_NE(text.find("$Entities\n8 12 6 1\n1 0 0 0 1 1\n2 0 0 1 1 2\n"), std::string::npos);
+  EXPECT_NE(text.find("\n1 0 0 0 0 0 1 1 1 2 1 -2\n"), std::string::npos);
+  EXPECT_NE(text.find("\n1 0 0 0 3 2 1 1 1 6 "), std::string::npos);
 }
 
 TEST_F(Write, TheOldFileSurvivesAFailure) {

@@ -10,10 +10,12 @@ import FreeCAD
 import Fem
 import ObjectsFem
 import Part
+import numpy
 
 sys.path.insert(0, os.environ["OCTET_PLUGIN"])
 import octet_freecad
 from octet_freecad import groups, mesher, program
+import octet
 
 V = FreeCAD.Vector
 
@@ -227,6 +229,13 @@ class OctetInFreeCAD(unittest.TestCase):
         self.assertEqual(program.find_program(), os.environ["OCTET"])
         with self.assertRaisesRegex(octet_freecad.OctetError, "no_such_octet is not a program"):
             program.find_program("no_such_octet")
+
+    def test_the_python_package_meshes_a_shape_of_freecad(self):
+        mesh = octet.mesh(Part.makeCylinder(5, 20), 2, size_at={"Face%1": 1})
+        self.assertTrue(mesh.complete)
+        a, b, c, d = (mesh.points[mesh.tets[:, k]] for k in range(4))
+        volume = ((b - a) * numpy.cross(c - a, d - a)).sum() / 6
+        self.assertAlmostEqual(volume / (numpy.pi * 25 * 20), 1, delta=0.02)
 
     def test_words_of_sizes(self):
         for line, words in (

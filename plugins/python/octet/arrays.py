@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A classified mesh in arrays."""
+import difflib
+import fnmatch
+import re
+import shutil
+
+import numpy as np
+
+from . import msh
+
+VTK_TETRAHEDRON = {1: 10, 2: 24}  # by order
+KINDS = ("Vertex", "Edge", "Face", "Region")
+MESHIO = {"line": "edges", "triangle": "triangles", "tetra": "tets"}
+MESHIO_SECOND = {"line3": "edges", "triangle6": "triangles", "tetra10": "tets"}
+
+
+class Mesh:
+    """Points, edges, triangles and tetrahedra, each with the model entity that it lies on.
+
+    points        (n, 3) float64, in the unit that the mesh was asked for in
+    point_on      (n, 2) int32, dimension and tag of the model entity of least dimension that holds the point
+    edges         (e, 2) int64, indices of points from 0; (e, 3) of second order: those on model edges
+    edge_on       (e,) int32, tags of their model edges
+    triangles     (t, 3) or (t, 6): those on model faces, oriented as these
+    triangle_on   (t,) int32, tags of their model faces
+    tets          (m, 4) or (m, 10): positive; nodes in the order of VTK, Abaqus and meshio
+    tet_in        (m,) int32, tags of their model regions
+    names         names by (dimension, tag): what CAD gave, or Face12 and Solid3
+    order         of the elements, 1 or 2
+    file          its file, MSH 4.1; one that octet made for itself goes when the mesh does
+    report        of the run (docs/conventions.md of octet), a dict; None of a file that was read
+    """
+
+    def __init__(self, file, report=None, keep=None):
+        for name, value in msh.read(file).items():
+            setattr(self, name, value)
+        self.order = 2 if self.tets.shape[1] == 10 else 1
+        self.file, self.report = file, report
+        self._keep = keep  # the folder of the file
+
+    def __repr__(self):
+        told = f", {self.report['status']}" if self.report else ""
+        return (
+            f"<octet.Mesh: {len(self.points)} nodes, {len(self.tets)} tetrahedra of order {self.order}{told}>"
+        )
+
+    @property
+    def complete(self):
+        """Whether every claim about the mesh holds; None where there is no report."""
+        return None if self.report is None else self.report["status"] == "complete"
+
+    def entities(self, which):
+        """(dimension, tag) of all that `which` names: such a pair, Face12, Solid3 or Region3, or a name or a
+        pattern of names with * and ?. KeyError when it names nothing."""
+        if not isinstance(which, str):
+            dim, tag = which
+            return [(int(dim), int(tag))]
+        found = sorted(entity for entity, name in self.names.items() if fnmatch.fnmatchcase(name, which))
+        number = re.fullmatch(r"(vertex|edge|face|region|solid)(\d+)", which, flags=re.IGNORECASE)
+        if not found and number:
+            dim = 3 if number[1].lower() == "solid" else KINDS.index(number[1].capitalize())
+            found = [(dim, int(number[2]))]
+        if not found:
+            near = difflib.get_close_matches(which, self.names.values(), 1)
+            raise KeyError(f"nothing is called {which!r}" + (f"; did you mean {near[0]!r}?" if near else ""))
+        return found
+
+    def _of(self, dim, tag):
+        """Nodes of its elements, a row each."""
+        if dim == 0:
+            rows = np.flatnonzero((self.point_on == (0, tag)).all(axis=1))[:, None]
+        else:
+            rows, on = (
+                (self.edges, self.edge_on),
+                (self.triangles, self.triangle_on),
+                (self.tets, self.tet_in),
+            )[dim - 1]
+            rows = rows[on == tag]
+        if not len(rows):
+            raise KeyError(f"the mesh has nothing on {KINDS[dim]}{tag}")
+        return rows
+
+    def nodes(self, which):
+        """Indices of the points on the closure of all that `which` names (see entities), ascending: on a face,
+        those of its edges and vertices, too. KeyError when there are none."""
+        return np.unique(np.concatenate([self._of(*entity).ravel() for entity in self.entities(which)]))
+
+    def elements(self, which):
+        """Rows of `tets`, `triangles` or `edges` (or single points) on what `which` names. KeyError when there
+        are none, ValueError when it names entities of more than one dimension."""
+        entities = self.entities(which)
+        if len({dim for dim, _ in entities}) > 1:
+            raise ValueError(f"{which!r} names entities of several dimensions")
+        return np.concatenate([self._of(*entity) for entity in entities])
+
+    def save(self, path):
+        """Copies its file. Other formats: `output` of octet.mesh, or meshio."""
+        shutil.copyfile(self.file, path)
+
+    def to_meshio(self):
+        """A meshio.Mesh; the arrays `entity` are tags of model entities."""
+        import meshio
+
+        kinds = MESHIO_SECOND if self.order == 2 else MESHIO
+        cells = [(kind, getattr(self, of)) for kind, of in kinds.items()]
+        tags = [self.edge_on, self.triangle_on, self.tet_in]
+        return meshio.Mesh(self.points, cells, cell_data={"entity": tags})
+
+    def to_pyvista(self):
+        """A pyvista.UnstructuredGrid of the tetrahedra, with the cell array `region`."""
+        import pyvista
+
+        width = self.tets.shape[1]
+        cells = np.hstack([np.full((len(self.tets), 1), width, dtype=np.int64), self.tets])
+        kinds = np.full(len(self.tets), VTK_TETRAHEDRON[self.order], dtype=np.uint8)
+        grid = pyvista.UnstructuredGrid(cells.ravel(), kinds, self.points)
+        grid.cell_data["region"] = self.tet_in
+        return grid
+
+
+def read(path):
+    """The mesh of a binary MSH 4.1 file. ValueError when it is none."""
+    return Mesh(path)

@@ -1,0 +1,150 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Binary MSH 4.1 files into arrays. [Gmsh reference manual, "MSH file format", version 4.1]"""
+import numpy as np
+
+# By MSH's number of a kind of element: its dimension, and its nodes in the order of VTK, Abaqus and meshio. MSH
+# has the last two nodes of a tetrahedron of second order the other way round.
+KINDS = {
+    15: (0, [0]),
+    1: (1, [0, 1]),
+    2: (2, [0, 1, 2]),
+    4: (3, [0, 1, 2, 3]),
+    8: (1, [0, 1, 2]),
+    9: (2, [0, 1, 2, 3, 4, 5]),
+    11: (3, [0, 1, 2, 3, 4, 5, 6, 7, 9, 8]),
+}
+
+
+class _Cursor:
+    def __init__(self, path):
+        with open(path, "rb") as file:
+            self.data = file.read()
+        self.path, self.at = path, 0
+
+    def line(self):
+        end = self.data.index(b"\n", self.at)
+        text, self.at = self.data[self.at : end], end + 1
+        return text.decode("utf-8", errors="replace")
+
+    def take(self, kind, count=1):
+        """`count` numbers: "i" of 4 bytes, "Q" of 8, "d" doubles."""
+        values = np.frombuffer(self.data, {"i": "<i4", "Q": "<u8", "d": "<f8"}[kind], count, self.at)
+        self.at += values.nbytes
+        return values
+
+    def numbers(self, kind, count):
+        return [int(value) for value in self.take(kind, count)]
+
+    def sections(self):
+        """Names of sections, one after the other; who asks for the next has read the last."""
+        while self.at < len(self.data):
+            line = self.line().strip()
+            if line.startswith("$") and not line.startswith("$End"):
+                yield line[1:]
+
+
+def _physical_names(cursor):
+    names = {}
+    for _ in range(int(cursor.line())):
+        dim, number, name = cursor.line().split(maxsplit=2)
+        names[int(dim), int(number)] = name.strip()[1:-1]
+    return names
+
+
+def _entities(cursor, names):
+    """Names by dimension and tag."""
+    found = {}
+    for dim, count in enumerate(cursor.numbers("Q", 4)):
+        for _ in range(count):
+            (tag,) = cursor.numbers("i", 1)
+            cursor.take("d", 3 if dim == 0 else 6)
+            for group in cursor.numbers("i", cursor.numbers("Q", 1)[0]):
+                if (dim, group) in names:
+                    found[dim, tag] = names[dim, group]
+            if dim > 0:
+                cursor.take("i", cursor.numbers("Q", 1)[0])
+    return found
+
+
+def _nodes(cursor):
+    """Numbers, points, and the entity that each lies on: dimension and tag."""
+    numbers, points, on = [], [], []
+    for _ in range(cursor.numbers("Q", 4)[0]):
+        dim, tag, parametric = cursor.numbers("i", 3)
+        if parametric:
+            raise ValueError(f"{cursor.path} has parametric coordinates, which are not read")
+        (count,) = cursor.numbers("Q", 1)
+        numbers.append(cursor.take("Q", count))
+        points.append(cursor.take("d", 3 * count).reshape(-1, 3))
+        on.append(np.tile(np.array([dim, tag], dtype=np.int32), (count, 1)))
+    return np.concatenate(numbers), np.concatenate(points), np.concatenate(on)
+
+
+def _elements(cursor, place):
+    """By dimension: nodes of the elements, and the tag of the entity that each lies on."""
+    nodes, on = [[], [], [], []], [[], [], [], []]
+    for _ in range(cursor.numbers("Q", 4)[0]):
+        _, tag, kind = cursor.numbers("i", 3)
+        (count,) = cursor.numbers("Q", 1)
+        if kind not in KINDS:
+            raise ValueError(f"{cursor.path} has elements of MSH's type {kind}, which are not read")
+        dim, order = KINDS[kind]
+        rows = place(cursor.take("Q", count * (1 + len(order))).reshape(count, -1)[:, 1:])
+        nodes[dim].append(rows if order == sorted(order) else rows[:, order])
+        on[dim].append(np.full(count, tag, dtype=np.int32))
+    return nodes, on
+
+
+class _Places:
+    """Of nodes in the list of points, by their numbers."""
+
+    def __init__(self, numbers):
+        self.in_order = np.array_equal(numbers, np.arange(1, len(numbers) + 1))
+        self.order = None if self.in_order else np.argsort(numbers)
+        self.sorted = None if self.in_order else numbers[self.order]
+
+    def __call__(self, rows):
+        if self.in_order:
+            return rows.view(np.int64) - 1
+        return self.order[np.searchsorted(self.sorted, rows)]
+
+
+def _sections(cursor):
+    """Names of entities, what _nodes gives, and what _elements gives."""
+    names, entities, nodes, elements = {}, {}, None, None
+    for section in cursor.sections():
+        if section == "MeshFormat":
+            cursor.line()
+            cursor.take("i")
+        elif section == "PhysicalNames":
+            names = _physical_names(cursor)
+        elif section == "Entities":
+            entities = _entities(cursor, names)
+        elif section == "Nodes":
+            nodes = _nodes(cursor)
+        elif section == "Elements" and nodes is not None:
+            elements = _elements(cursor, _Places(nodes[0]))
+        else:
+            cursor.at = cursor.data.index(f"$End{section}".encode(), cursor.at)
+    if elements is None:
+        raise ValueError("it has no nodes, or no elements")
+    return entities, nodes, elements
+
+
+def read(path):
+    """What Mesh is made of, by name. ValueError when the file is no binary MSH 4.1, or is damaged."""
+    cursor = _Cursor(path)
+    if not cursor.data.startswith(b"$MeshFormat\n4.1 1 8\n"):
+        raise ValueError(f"{path} is no binary MSH 4.1 file")
+    try:
+        names, (_, points, point_on), (nodes, on) = _sections(cursor)
+    except (ValueError, IndexError) as error:
+        raise ValueError(f"{path} cannot be read: {error}") from error
+    found = {"points": points, "point_on": point_on, "names": names}
+    for dim, (of, where) in enumerate(
+        (("edges", "edge_on"), ("triangles", "triangle_on"), ("tets", "tet_in"))
+    ):
+        rows = nodes[dim + 1]
+        found[of] = np.concatenate(rows) if rows else np.empty((0, dim + 2), dtype=np.int64)
+        found[where] = np.concatenate(on[dim + 1]) if rows else np.empty(0, dtype=np.int32)
+    return found
