@@ -165,7 +165,8 @@ def size_options(args, part, size):
 def run_one(args, part, size, folder, standing):
     """One row of the table; `standing` is the part itself, or what it was before it was turned."""
     name = os.path.basename(part)
-    mesh = os.path.join(folder, f"{name}-{size}.msh")
+    own = os.path.abspath(part).replace(os.sep, "_")[-200:]  # files of two folders may have one name
+    mesh = os.path.join(folder, f"{own}-{size}.msh")
     report_file = mesh + ".json"
     row = dict.fromkeys(HEAD, "-")
     row.update(file=name, size=size if size == "default" or size.startswith("=") else f"d/{size}", status="-", why="", good=False)
