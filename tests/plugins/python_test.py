@@ -249,6 +249,10 @@ class Files(unittest.TestCase):
         for order, kind in ((1, "tetra"), (2, "tetra10")):
             mesh = octet.mesh(model("ball.step"), order=order)
             other = mesh.to_meshio()
+            with tempfile.TemporaryDirectory() as folder:
+                path = os.path.join(folder, "a.vtu")
+                other.write(path)
+                other = meshio.read(path)
             np.testing.assert_array_equal(other.cells_dict[kind], mesh.tets)
             np.testing.assert_array_equal(other.cell_data_dict["entity"][kind], mesh.tet_in)
             read = meshio.read(mesh.file)

@@ -9,10 +9,8 @@ import numpy as np
 
 from . import msh
 
-VTK_TETRAHEDRON = {1: 10, 2: 24}  # by order
 KINDS = ("Vertex", "Edge", "Face", "Region")
-MESHIO = {"line": "edges", "triangle": "triangles", "tetra": "tets"}
-MESHIO_SECOND = {"line3": "edges", "triangle6": "triangles", "tetra10": "tets"}
+MESHIO = {1: ("line", "triangle", "tetra"), 2: ("line3", "triangle6", "tetra10")}  # by order
 
 
 class Mesh:
@@ -99,24 +97,18 @@ class Mesh:
         shutil.copyfile(self.file, path)
 
     def to_meshio(self):
-        """A meshio.Mesh; the arrays `entity` are tags of model entities."""
+        """A meshio.Mesh, which writes MED, XDMF, Exodus and others; its cell data `entity` are tags of model
+        entities. pyvista.from_meshio takes it."""
         import meshio
 
-        kinds = MESHIO_SECOND if self.order == 2 else MESHIO
-        cells = [(kind, getattr(self, of)) for kind, of in kinds.items()]
-        tags = [self.edge_on, self.triangle_on, self.tet_in]
-        return meshio.Mesh(self.points, cells, cell_data={"entity": tags})
-
-    def to_pyvista(self):
-        """A pyvista.UnstructuredGrid of the tetrahedra, with the cell array `region`."""
-        import pyvista
-
-        width = self.tets.shape[1]
-        cells = np.hstack([np.full((len(self.tets), 1), width, dtype=np.int64), self.tets])
-        kinds = np.full(len(self.tets), VTK_TETRAHEDRON[self.order], dtype=np.uint8)
-        grid = pyvista.UnstructuredGrid(cells.ravel(), kinds, self.points)
-        grid.cell_data["region"] = self.tet_in
-        return grid
+        blocks = zip(
+            MESHIO[self.order],
+            (self.edges, self.triangles, self.tets),
+            (self.edge_on, self.triangle_on, self.tet_in),
+        )
+        blocks = [block for block in blocks if len(block[1])]
+        cells = [(kind, rows) for kind, rows, _ in blocks]
+        return meshio.Mesh(self.points, cells, cell_data={"entity": [on for _, _, on in blocks]})
 
 
 def read(path):

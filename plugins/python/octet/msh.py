@@ -141,10 +141,10 @@ def read(path):
     except (ValueError, IndexError) as error:
         raise ValueError(f"{path} cannot be read: {error}") from error
     found = {"points": points, "point_on": point_on, "names": names}
-    for dim, (of, where) in enumerate(
-        (("edges", "edge_on"), ("triangles", "triangle_on"), ("tets", "tet_in"))
-    ):
-        rows = nodes[dim + 1]
-        found[of] = np.concatenate(rows) if rows else np.empty((0, dim + 2), dtype=np.int64)
-        found[where] = np.concatenate(on[dim + 1]) if rows else np.empty(0, dtype=np.int32)
+    second = any(rows.shape[1] == 10 for rows in nodes[3])
+    widths = (3, 6, 10) if second else (2, 3, 4)
+    kinds = (("edges", "edge_on"), ("triangles", "triangle_on"), ("tets", "tet_in"))
+    for dim, ((of, where), width) in enumerate(zip(kinds, widths), 1):
+        found[of] = np.concatenate([np.empty((0, width), dtype=np.int64), *nodes[dim]])
+        found[where] = np.concatenate([np.empty(0, dtype=np.int32), *on[dim]])
     return found
