@@ -12,6 +12,7 @@
 
 #include "base/error.h"
 #include "geom/facet_volumes.h"
+#include "geom/occt/closed_forms.h"
 #include "geom/occt/heal.h"
 #include "geom/occt/measure.h"
 #include "geom/occt/shape_box.h"
@@ -50,6 +51,7 @@ class Joiner {
       : as_read_(as_read), healed_(std::move(healed)), options_(options), log_(log) {}
 
   JoinedSolids run() {
+    if (fuses()) give_closed_forms_first();
     while (!succeeds()) {
     }
     for (KeptApart& kept : apart_) {
@@ -60,6 +62,17 @@ class Joiner {
   }
 
  private:
+  [[nodiscard]] bool fuses() const { return options_.fuse && healed_.solids.size() > 1; }
+
+  void give_closed_forms_first() {
+    log_("looking for planes, cylinders and cones among splines");
+    if (const int count = give_closed_forms(healed_.solids); count > 0)
+      healed_.notes.push_back(fmt::format(
+          "{} face(s) whose splines are planes, cylinders or cones to rounding were put on these before the "
+          "solids were fused",
+          count));
+  }
+
   bool succeeds() {
     try {
       attempt();
@@ -91,7 +104,7 @@ class Joiner {
   void attempt() {
     part_ = {};
     joined_ = {healed_.solids, new BRepTools_History(), {}};
-    if (options_.fuse && healed_.solids.size() > 1) {
+    if (fuses()) {
       log_(fmt::format("fusing {} solid(s) that may touch", healed_.solids.size()));
       fuse_touching(joined_, options_.fuse_tolerance, apart_, fuses_);
     }

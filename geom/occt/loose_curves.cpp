@@ -30,6 +30,7 @@
 
 #include "geom/occt/canonical.h"
 #include "geom/occt/curve_gaps.h"
+#include "geom/occt/curve_pieces.h"
 #include "geom/occt/shape_measures.h"
 
 namespace octet {
@@ -105,39 +106,6 @@ std::array<std::vector<double>, 2> rough_knots(const Geom_BSplineSurface& surfac
     if (surface.VDegree() - surface.VMultiplicity(i) < 2) knots[1].push_back(surface.VKnot(i));
   return knots;
 }
-
-/// Cubic splines, each from where the last ends.
-class CurvePieces {
- public:
-  void add(const Geom2d_BSplineCurve& piece) {
-    const bool first = poles_.empty();
-    for (int i = first ? 1 : 2; i <= piece.NbPoles(); ++i) poles_.push_back(piece.Pole(i));
-    if (!first) multiplicities_.back() = piece.Degree();
-    for (int i = first ? 1 : 2; i <= piece.NbKnots(); ++i) {
-      knots_.push_back(piece.Knot(i));
-      multiplicities_.push_back(piece.Multiplicity(i));
-    }
-    degree_ = piece.Degree();
-  }
-
-  [[nodiscard]] Handle(Geom2d_BSplineCurve) curve() const {
-    TColgp_Array1OfPnt2d poles(1, static_cast<int>(poles_.size()));
-    TColStd_Array1OfReal knots(1, static_cast<int>(knots_.size()));
-    TColStd_Array1OfInteger multiplicities(1, static_cast<int>(knots_.size()));
-    for (int i = 1; i <= poles.Length(); ++i) poles(i) = poles_[static_cast<std::size_t>(i) - 1];
-    for (int i = 1; i <= knots.Length(); ++i) {
-      knots(i) = knots_[static_cast<std::size_t>(i) - 1];
-      multiplicities(i) = multiplicities_[static_cast<std::size_t>(i) - 1];
-    }
-    return new Geom2d_BSplineCurve(poles, knots, multiplicities, degree_);
-  }
-
- private:
-  std::vector<gp_Pnt2d> poles_;
-  std::vector<double> knots_;
-  std::vector<int> multiplicities_;
-  int degree_ = 0;
-};
 
 class Fit {
  public:
