@@ -108,6 +108,22 @@ class Arrays(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "several dimensions"):
             mesh.elements("*1")
 
+    def test_order_is_that_of_the_numbers_in_files(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "a.inp")
+            mesh = octet.mesh(model("two_boxes.step"), output=path)
+            nodes, tets, current = [], [], None
+            with open(path, encoding="ascii") as file:
+                for line in file:
+                    if line.startswith("*"):
+                        current = {"*NODE": nodes, "*ELEMENT": tets}.get(line.split(",")[0].strip())
+                    elif current is not None:
+                        current.append([float(word) for word in line.split(",")])
+        nodes, tets = np.array(nodes), np.array(sorted(tets))
+        np.testing.assert_array_equal(nodes[:, 0], np.arange(1, len(mesh.points) + 1))
+        np.testing.assert_allclose(nodes[:, 1:], mesh.points, rtol=1e-12, atol=1e-12)
+        np.testing.assert_array_equal(tets[:, 1:] - 1, mesh.tets)
+
 
 class Sizes(unittest.TestCase):
     def test_sizes_at_places_and_over_space_are_met(self):
@@ -135,6 +151,11 @@ class Sizes(unittest.TestCase):
         count = (np.hypot(middles[:, 0], middles[:, 1]) < 0.003).sum()
         self.assertGreater((np.hypot(again[:, 0], again[:, 1]) < 0.003).sum(), 16 * count)
         self.assertLess(np.ptp(finer.points), 1)  # metres as before
+        of_nodes = np.full(len(mesh.points), mean_edges(mesh).mean())
+        of_nodes[np.hypot(mesh.points[:, 0], mesh.points[:, 1]) < 0.003] /= 4
+        graded = octet.adapt(mesh, part, of_nodes, uniform=True)
+        middles = graded.points[graded.tets].mean(axis=1)
+        self.assertGreater((np.hypot(middles[:, 0], middles[:, 1]) < 0.003).sum(), 8 * count)
         with self.assertRaisesRegex(ValueError, "neither one for each"):
             octet.adapt(mesh, part, [1.0, 2.0])
 
@@ -256,9 +277,8 @@ class Files(unittest.TestCase):
             np.testing.assert_array_equal(other.cells_dict[kind], mesh.tets)
             np.testing.assert_array_equal(other.cell_data_dict["entity"][kind], mesh.tet_in)
             read = meshio.read(mesh.file)
-            np.testing.assert_array_equal(
-                np.vstack([c.data for c in read.cells if c.type == kind]), mesh.tets
-            )
+            rows = np.vstack([block.data for block in read.cells if block.type == kind])
+            np.testing.assert_array_equal(read.points[rows], mesh.points[mesh.tets])
 
 
 def _renumber(data):

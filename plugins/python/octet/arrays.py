@@ -14,7 +14,8 @@ MESHIO = {1: ("line", "triangle", "tetra"), 2: ("line3", "triangle6", "tetra10")
 
 
 class Mesh:
-    """Points, edges, triangles and tetrahedra, each with the model entity that it lies on.
+    """Points, edges, triangles and tetrahedra, each with the model entity that it lies on, in the order of their
+    numbers in the mesh's files, where these count from 1.
 
     points        (n, 3) float64, in the unit that the mesh was asked for in
     point_on      (n, 2) int32, dimension and tag of the model entity of least dimension that holds the point

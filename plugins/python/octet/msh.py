@@ -77,36 +77,37 @@ def _nodes(cursor):
         numbers.append(cursor.take("Q", count))
         points.append(cursor.take("d", 3 * count).reshape(-1, 3))
         on.append(np.tile(np.array([dim, tag], dtype=np.int32), (count, 1)))
-    return np.concatenate(numbers), np.concatenate(points), np.concatenate(on)
+    numbers = np.concatenate(numbers)
+    order = np.argsort(numbers)
+    return numbers[order], np.concatenate(points)[order], np.concatenate(on)[order]
 
 
 def _elements(cursor, place):
-    """By dimension: nodes of the elements, and the tag of the entity that each lies on."""
-    nodes, on = [[], [], [], []], [[], [], [], []]
+    """By dimension: numbers of the elements, their nodes, and the tag of the entity that each lies on."""
+    numbers, nodes, on = [[], [], [], []], [[], [], [], []], [[], [], [], []]
     for _ in range(cursor.numbers("Q", 4)[0]):
         _, tag, kind = cursor.numbers("i", 3)
         (count,) = cursor.numbers("Q", 1)
         if kind not in KINDS:
             raise ValueError(f"{cursor.path} has elements of MSH's type {kind}, which are not read")
         dim, order = KINDS[kind]
-        rows = place(cursor.take("Q", count * (1 + len(order))).reshape(count, -1)[:, 1:])
+        found = cursor.take("Q", count * (1 + len(order))).reshape(count, -1)
+        rows = place(found[:, 1:])
+        numbers[dim].append(found[:, 0])
         nodes[dim].append(rows if order == sorted(order) else rows[:, order])
         on[dim].append(np.full(count, tag, dtype=np.int32))
-    return nodes, on
+    return numbers, nodes, on
 
 
 class _Places:
-    """Of nodes in the list of points, by their numbers."""
+    """Of nodes in the list of points, by their numbers, which ascend."""
 
     def __init__(self, numbers):
-        self.in_order = np.array_equal(numbers, np.arange(1, len(numbers) + 1))
-        self.order = None if self.in_order else np.argsort(numbers)
-        self.sorted = None if self.in_order else numbers[self.order]
+        self.numbers = numbers
+        self.from_one = np.array_equal(numbers, np.arange(1, len(numbers) + 1))
 
     def __call__(self, rows):
-        if self.in_order:
-            return rows.view(np.int64) - 1
-        return self.order[np.searchsorted(self.sorted, rows)]
+        return rows.view(np.int64) - 1 if self.from_one else np.searchsorted(self.numbers, rows)
 
 
 def _sections(cursor):
@@ -132,12 +133,14 @@ def _sections(cursor):
 
 
 def read(path):
-    """What Mesh is made of, by name. ValueError when the file is no binary MSH 4.1, or is damaged."""
+    """What Mesh is made of, by name; points and elements by ascending number, which is the order that octet
+    itself, and its files of other formats, have them in. ValueError when the file is no binary MSH 4.1, or is damaged.
+    """
     cursor = _Cursor(path)
     if not cursor.data.startswith(b"$MeshFormat\n4.1 1 8\n"):
         raise ValueError(f"{path} is no binary MSH 4.1 file")
     try:
-        names, (_, points, point_on), (nodes, on) = _sections(cursor)
+        names, (_, points, point_on), (numbers, nodes, on) = _sections(cursor)
     except (ValueError, IndexError) as error:
         raise ValueError(f"{path} cannot be read: {error}") from error
     found = {"points": points, "point_on": point_on, "names": names}
@@ -145,6 +148,9 @@ def read(path):
     widths = (3, 6, 10) if second else (2, 3, 4)
     kinds = (("edges", "edge_on"), ("triangles", "triangle_on"), ("tets", "tet_in"))
     for dim, ((of, where), width) in enumerate(zip(kinds, widths), 1):
-        found[of] = np.concatenate([np.empty((0, width), dtype=np.int64), *nodes[dim]])
-        found[where] = np.concatenate([np.empty(0, dtype=np.int32), *on[dim]])
+        number = np.concatenate([np.empty(0, dtype=np.uint64), *numbers[dim]])
+        rows = np.concatenate([np.empty((0, width), dtype=np.int64), *nodes[dim]])
+        tags = np.concatenate([np.empty(0, dtype=np.int32), *on[dim]])
+        order = slice(None) if np.all(number[1:] > number[:-1]) else np.argsort(number)
+        found[of], found[where] = rows[order], tags[order]
     return found
