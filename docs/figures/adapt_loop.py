@@ -15,7 +15,6 @@ that meet an octant the smallest counts.
 Needs numpy, matplotlib and CalculiX (ccx).
 """
 import os
-import subprocess
 import sys
 import tempfile
 
@@ -23,14 +22,20 @@ import numpy as np
 
 import calculix
 
+sys.path.append(os.path.join(calculix.ROOT, "plugins", "python"))
+import octet
+
 PART = os.path.join(calculix.ROOT, "models", "l_domain.step")
 RADIUS = 10.0  # of the part: half its width
 
-DECK = """*INCLUDE, INPUT=mesh.inp
+DECK = """*NODE, NSET=Nall
+{nodes}
+*ELEMENT, TYPE=C3D4, ELSET=Eall
+{tets}
 *MATERIAL, NAME=UNIT
 *CONDUCTIVITY
 1.
-*SOLID SECTION, ELSET={body}, MATERIAL=UNIT
+*SOLID SECTION, ELSET=Eall, MATERIAL=UNIT
 *INITIAL CONDITIONS, TYPE=TEMPERATURE
 Nall, 0.
 *STEP
@@ -61,26 +66,10 @@ def exact_gradient(points):
 
 
 class Mesh:
-    """Nodes, tetrahedra and node sets of an .inp file."""
+    """What a linear element's solver needs of an octet.Mesh."""
 
-    def __init__(self, path):
-        self.sets, nodes, tets, current = {}, [], [], None
-        with open(path, encoding="ascii") as file:
-            for line in file:
-                if line.startswith("*"):
-                    words = [w.strip() for w in line.split(",")]
-                    current = None
-                    if words[0] == "*NODE":
-                        current = nodes
-                    elif words[0] == "*ELEMENT":
-                        current, self.body = tets, words[2].split("=")[1]
-                    elif words[0] == "*NSET":
-                        current = self.sets.setdefault(words[1].split("=")[1], [])
-                elif current is not None:
-                    current.append([float(w) for w in line.split(",") if w.strip()])
-        self.points = np.array(nodes)[:, 1:]
-        self.tets = np.array(tets, dtype=int)[:, 1:] - 1
-        self.sets = {name: np.array(sum(lines, []), dtype=int) - 1 for name, lines in self.sets.items()}
+    def __init__(self, mesh):
+        self.mesh, self.points, self.tets = mesh, mesh.points, mesh.tets
         corners = self.points[self.tets]
         sides = corners[:, 1:] - corners[:, :1]
         self.volume = np.linalg.det(sides) / 6
@@ -91,8 +80,8 @@ class Mesh:
 
     def walls(self):
         """Nodes on the faces along z."""
-        flat = [n for name, n in self.sets.items() if np.ptp(self.points[n, 2]) > 0 and name.startswith("Face")]
-        return np.unique(np.concatenate(flat))
+        of_faces = [self.mesh.nodes((2, tag)) for tag in np.unique(self.mesh.triangle_on)]
+        return np.unique(np.concatenate([n for n in of_faces if np.ptp(self.points[n, 2]) > 0]))
 
     def gradient(self, values):
         return np.einsum("tdk,tk->td", self.shape_gradient, values[self.tets])
@@ -146,20 +135,17 @@ def halved(corners):
 
 def solve(ccx, folder, mesh):
     walls = mesh.walls()
-    lines = [f"{n + 1}, 11, 11, {u:.9e}" for n, u in zip(walls, exact(mesh.points[walls]))]
-    deck = DECK.format(body=mesh.body, walls="\n".join(lines))
+    nodes = [f"{n}, {x:.12g}, {y:.12g}, {z:.12g}" for n, (x, y, z) in enumerate(mesh.points, 1)]
+    tets = [f"{n}, " + ", ".join(str(v + 1) for v in tet) for n, tet in enumerate(mesh.tets, 1)]
+    fixed = [f"{n + 1}, 11, 11, {u:.9e}" for n, u in zip(walls, exact(mesh.points[walls]))]
+    deck = DECK.format(nodes="\n".join(nodes), tets="\n".join(tets), walls="\n".join(fixed))
     values = calculix.solve(ccx, folder, deck, len(mesh.points), 1)[0][:, 0]
     values[walls] = exact(mesh.points[walls])
     return values
 
 
-def octet(command, output):
-    subprocess.run(command + ["-o", output, "--uniform", "--quiet"], check=True)
-
-
-def one_mesh(args, folder, command):
-    octet(command, os.path.join(folder, "mesh.inp"))
-    mesh = Mesh(os.path.join(folder, "mesh.inp"))
+def solved(args, folder, mesh):
+    mesh = Mesh(mesh)
     values = solve(args.ccx, folder, mesh)
     return mesh, values, len(mesh.points) - len(mesh.walls()), mesh.true_error(values)
 
@@ -167,7 +153,7 @@ def one_mesh(args, folder, command):
 def uniform(args, folder):
     found, size = [], 3.0
     while not found or found[-1][0] < args.unknowns:
-        _, _, unknowns, error = one_mesh(args, folder, [args.octet, "mesh", PART, "--size", str(size)])
+        _, _, unknowns, error = solved(args, folder, octet.mesh(PART, size, uniform=True))
         print(f"uniform   size {size:6.3f}  unknowns {unknowns:7d}  error {error:.5f}", flush=True)
         found.append((unknowns, error))
         size /= 2**0.5
@@ -175,19 +161,14 @@ def uniform(args, folder):
 
 
 def adapted(args, folder):
-    found, command = [], [args.octet, "mesh", PART, "--size", "3.0"]
-    before, after = os.path.join(folder, "before.msh"), os.path.join(folder, "after.msh")
-    sizes = os.path.join(folder, "size.csv")
+    found, made = [], octet.mesh(PART, 3.0, uniform=True)
     while not found or found[-1][0] < args.unknowns:
-        mesh, values, unknowns, error = one_mesh(args, folder, command)
+        mesh, values, unknowns, error = solved(args, folder, made)
         estimate = mesh.estimate(values)
         print(f"adapted   size {mesh.size.min():6.3f}  unknowns {unknowns:7d}  error {error:.5f}  "
               f"estimated {np.linalg.norm(estimate):.5f}", flush=True)
         found.append((unknowns, error))
-        octet(command, after)
-        os.replace(after, before)
-        np.savetxt(sizes, mesh.wanted_sizes(estimate, 1.2))
-        command = [args.octet, "adapt", before, PART, "--field", sizes]
+        made = octet.adapt(made, PART, mesh.wanted_sizes(estimate, 1.2), uniform=True)
     return found
 
 
@@ -213,6 +194,7 @@ def main():
     parser = calculix.arguments(__doc__)
     parser.add_argument("--unknowns", type=int, default=60000, help="end with the first mesh of so many")
     args = parser.parse_args()
+    os.environ["OCTET"] = args.octet
     results = {}
     for name, run in (("uniform", uniform), ("adapted", adapted)):
         with tempfile.TemporaryDirectory() as folder:
