@@ -320,8 +320,8 @@ int give_closed_forms(const std::vector<TopoDS_Shape>& solids) {
     if (BRep_Tool::Surface(face)->IsKind(STANDARD_TYPE(Geom_ElementarySurface))) continue;
     try {
       count += give_closed_form(face) ? 1 : 0;
-    } catch (const ModelError&) {  // it has no surface: told where it is needed
-    } catch (const Standard_Failure&) {
+    } catch (const ModelError&) {        // it has no surface: told where it is needed
+    } catch (const Standard_Failure&) {  // it stays as it is
     }
   }
   return count;

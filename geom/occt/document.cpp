@@ -77,6 +77,35 @@ void require_step_end(const std::filesystem::path& path) {
     throw InputError("STEP file " + quoted(path) + " is truncated: it does not end with END-ISO-10303-21");
 }
 
+/// Which of the words a file holds, by index; it is read no farther than to the first of them.
+std::vector<bool> words_in(const std::filesystem::path& path, const std::vector<std::string>& words) {
+  constexpr std::size_t kBlock = std::size_t{1} << 20;
+  std::vector<bool> found(words.size(), false);
+  std::ifstream in(path, std::ios::binary);
+  std::string text;
+  while (in && !found.front()) {
+    std::size_t kept = 0;  // of the block before: a word may lie across
+    for (const std::string& word : words) kept = std::max(kept, word.size());
+    text.erase(0, text.size() - std::min(text.size(), kept));
+    const std::size_t before = text.size();
+    text.resize(before + kBlock);
+    in.read(text.data() + before, kBlock);
+    text.resize(before + static_cast<std::size_t>(in.gcount()));
+    for (std::size_t i = 0; i < words.size(); ++i)
+      found[i] = found[i] || text.find(words[i]) != std::string::npos;
+  }
+  return found;
+}
+
+/// Some systems write triangles for the shape and no faces. OCCT 7.6 crashes on such files.
+void refuse_triangles_alone(const std::filesystem::path& path) {
+  const std::vector<bool> found = words_in(path, {"ADVANCED_FACE", "FACE_SURFACE", "TRIANGULATED_FACE"});
+  if (!found[0] && !found[1] && found[2])
+    throw InputError(
+        "STEP file " + quoted(path) +
+        " has no faces but triangles (TRIANGULATED_FACE): export the part with its exact geometry");
+}
+
 /// Items of a kind that OCCT does not know (texts, leaders of notes) are null handles to it, and it crashes
 /// where it looks for the names of faces among them. Returns how many there were.
 int drop_unknown_items(const Handle(Interface_InterfaceModel) & model) {
@@ -143,6 +172,7 @@ std::optional<std::string> check_external_files(const STEPCAFControl_Reader& rea
 
 CadDocument read_step(const std::filesystem::path& path) {
   require_step_end(path);
+  refuse_triangles_alone(path);
   STEPCAFControl_Controller::Init();
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
   Interface_Static::SetIVal("read.stepcaf.subshapes.name", 1);

@@ -29,13 +29,14 @@ class Mesh:
     order         of the elements, 1 or 2
     file          its file, MSH 4.1; one that octet made for itself goes when the mesh does
     report        of the run (docs/conventions.md of octet), a dict; None of a file that was read
+    summary       what the program prints for people, a line each
     """
 
-    def __init__(self, file, report=None, keep=None):
+    def __init__(self, file, report=None, summary=(), keep=None):
         for name, value in msh.read(file).items():
             setattr(self, name, value)
         self.order = 2 if self.tets.shape[1] == 10 else 1
-        self.file, self.report = file, report
+        self.file, self.report, self.summary = file, report, list(summary)
         self._keep = keep  # the folder of the file
 
     def __repr__(self):
@@ -98,8 +99,8 @@ class Mesh:
         shutil.copyfile(self.file, path)
 
     def to_meshio(self):
-        """A meshio.Mesh, which writes MED, XDMF, Exodus and others; its cell data `entity` are tags of model
-        entities. pyvista.from_meshio takes it."""
+        """A meshio.Mesh, which writes MED, Exodus and others; its cell data `entity` are tags of model
+        entities."""
         import meshio
 
         blocks = zip(

@@ -58,13 +58,9 @@ def _words(options):
 
 def _text(value):
     """Numbers with all their digits."""
-    return (
-        repr(float(value))
-        if isinstance(value, (float, np.floating))
-        else os.fspath(value)
-        if isinstance(value, os.PathLike)
-        else str(value)
-    )
+    if isinstance(value, (float, np.floating)):
+        return repr(float(value))
+    return os.fspath(value) if isinstance(value, os.PathLike) else str(value)
 
 
 def _part_file(part, folder):
@@ -72,7 +68,7 @@ def _part_file(part, folder):
     Workplane that holds one."""
     if isinstance(part, (str, os.PathLike)):
         return os.fspath(part)
-    shape = part if hasattr(part, "exportBrep") else part.val() if hasattr(part, "val") else None
+    shape = part.val() if hasattr(part, "val") else part
     if not hasattr(shape, "exportBrep"):
         raise TypeError(f"a part is a path, or a shape with exportBrep, not {type(part).__name__}")
     path = os.path.join(folder, "part.brep")
@@ -102,9 +98,7 @@ def _run(words, folder, output, follow):
         words += ["--output", os.fspath(path)]
     run = Run(find_program(), words, os.path.join(folder.name, "report.json"))
     report = run.follow(**follow)
-    mesh = Mesh(file, report, folder)
-    mesh.summary = run.summary()
-    return mesh
+    return Mesh(file, report, run.summary(), folder)
 
 
 def _judged(mesh, incomplete):

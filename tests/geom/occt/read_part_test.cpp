@@ -192,6 +192,32 @@ TEST(ReadPart, RefusesATruncatedStepFileWhereverItIsCut) {
   }
 }
 
+TEST(ReadPart, RefusesAStepFileOfTrianglesAlone) {
+  std::string text = content_of(sample_path("box"));
+  const std::string face = "ADVANCED_FACE", triangles = "COMPLEX_TRIANGULATED_FACE";
+  for (std::size_t at = text.find(face); at != std::string::npos; at = text.find(face, at + triangles.size()))
+    text.replace(at, face.size(), triangles);
+  const TemporaryFile file("triangles.step", text);
+  EXPECT_NE(error_of(file.path()).find("has no faces but triangles"), std::string::npos)
+      << error_of(file.path());
+}
+
+TEST(ReadPart, ReadsAStepFileOfFacesAndTriangles) {
+  std::string text = content_of(sample_path("box"));
+  const std::size_t data = text.find("DATA;") + 5;
+  text.insert(data, "/* TRIANGULATED_FACE */");
+  // The word that counts lies across the ends of the blocks in which the file is searched.
+  const std::size_t wanted = (std::size_t{1} << 20) - 5;
+  std::string comments;
+  while (comments.size() + 64 < wanted - text.find("ADVANCED_FACE"))
+    comments += "/*" + std::string(28, ' ') + "*/";
+  comments.append(wanted - text.find("ADVANCED_FACE") - comments.size(), ' ');
+  text.insert(data, comments);
+  ASSERT_EQ(text.find("ADVANCED_FACE"), wanted);
+  const TemporaryFile file("both.step", text);
+  EXPECT_EQ(read_part(file.path()).count(2), 6);
+}
+
 TEST(ReadPart, RefusesATruncatedBrepFile) {
   std::ostringstream text;
   BRepTools::Write(BRepPrimAPI_MakeBox(1, 2, 3).Shape(), text);
