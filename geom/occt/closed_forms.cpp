@@ -33,7 +33,9 @@
 #include <functional>
 #include <gp_Pln.hxx>
 #include <memory>
+#include <optional>
 #include <string_view>
+#include <utility>
 
 #include "base/error.h"
 #include "geom/occt/canonical.h"
@@ -133,18 +135,11 @@ Handle(Geom2d_Curve) curve_through(const Mapped& places, const std::vector<doubl
   return Handle(Geom2d_Curve)(curve);
 }
 
-/// An edge, forward, and its curves on a face: of a seam there are two.
-struct OnFace {
-  TopoDS_Edge edge;
-  Handle(Geom2d_Curve) curve, back;
-  double t0 = 0.0, t1 = 0.0;
-};
-
-std::vector<OnFace> curves_on(const TopoDS_Face& face) {
-  std::vector<OnFace> curves;
+std::vector<CurveOnFace> curves_on(const TopoDS_Face& face) {
+  std::vector<CurveOnFace> curves;
   const TopTools_IndexedMapOfShape edges = sub_shapes(face, TopAbs_EDGE);
   for (int i = 1; i <= edges.Extent(); ++i) {
-    OnFace on{TopoDS::Edge(edges(i).Oriented(TopAbs_FORWARD)), {}, {}};
+    CurveOnFace on{TopoDS::Edge(edges(i).Oriented(TopAbs_FORWARD)), {}, {}};
     on.curve = BRep_Tool::CurveOnSurface(on.edge, face, on.t0, on.t1);
     if (on.curve.IsNull()) throw Standard_Failure("an edge has no curve on its face");
     if (BRep_Tool::IsClosed(on.edge, face))
@@ -158,7 +153,7 @@ std::vector<OnFace> curves_on(const TopoDS_Face& face) {
 class InSpace {
  public:
   /// Null where it has no curve, or one of another range than that on the face.
-  explicit InSpace(const OnFace& on) {
+  explicit InSpace(const CurveOnFace& on) {
     if (BRep_Tool::Degenerated(on.edge)) {
       const TopoDS_Vertex vertex = TopExp::FirstVertex(on.edge);
       pole_ = BRep_Tool::Pnt(vertex);
@@ -185,7 +180,7 @@ class InSpace {
 
 /// The largest of a distance along the edge.
 template <class Distance>
-double widest(const OnFace& on, const Distance& distance) {
+double widest(const CurveOnFace& on, const Distance& distance) {
   constexpr int kSamples = 101;
   double result = 0.0;
   for (int i = 0; i <= kSamples; ++i)
@@ -239,7 +234,7 @@ std::vector<double> breaks_of(const Handle(Geom2d_Curve) & curve, const Handle(G
 /// enough to the edge.
 Handle(Geom2d_Curve)
     new_curve(const Geom_Surface& surface, const Map& map, const Handle(Geom2d_Curve) & before,
-              const Handle(Geom_Surface) & was, const OnFace& on, const InSpace& in_space) {
+              const Handle(Geom_Surface) & was, const CurveOnFace& on, const InSpace& in_space) {
   const std::vector<double> breaks = breaks_of(before, in_space.curve(), was, on.t0, on.t1);
   for (const int between : {16, 64, 160}) {
     const Handle(Geom2d_Curve) curve = curve_through(Mapped(before, map), breaks, between);
@@ -255,9 +250,9 @@ Handle(Geom2d_Curve)
 /// The curves on a face that is put on `surface` in place of `was`: none for a plane, on which OCCT projects
 /// the edges. False where an edge is too far off it, or its curve would be.
 bool move_curves(const Handle(Geom_Surface) & was, const Handle(Geom_Surface) & surface, const Map& map,
-                 std::vector<OnFace>& curves) {
+                 std::vector<CurveOnFace>& curves) {
   const Handle(Geom_Plane) plane = Handle(Geom_Plane)::DownCast(surface);
-  for (OnFace& on : curves) {
+  for (CurveOnFace& on : curves) {
     const InSpace in_space(on);
     if (in_space.is_null()) return false;
     if (!plane.IsNull()) {
@@ -276,55 +271,64 @@ bool move_curves(const Handle(Geom_Surface) & was, const Handle(Geom_Surface) & 
   return true;
 }
 
-/// Puts a face on its closed form. Standard_Failure or false, and nothing is done, where that cannot be.
-bool give_closed_form(const TopoDS_Face& face) {
-  const std::shared_ptr<const Surface> surface = make_surface(face, 0);
-  if (!is_recognised(*surface)) return false;
-  const Handle(Geom_Surface) closed = closed_form(*surface);
-  if (closed.IsNull()) return false;
-  const std::vector<OnFace> before = curves_on(face);
-  std::vector<OnFace> after = before;
-  if (!move_curves(BRep_Tool::Surface(face), closed, from_occt_uv(*surface), after)) return false;
+/// Takes the curves that a face's edges have on one surface, and the face, to another.
+void put_on(const TopoDS_Face& face, const ClosedForm::Side& from, const ClosedForm::Side& to) {
   const BRep_Builder builder;
-  TopLoc_Location place;
-  const Handle(Geom_Surface) was = BRep_Tool::Surface(face, place);
-  const Handle(Geom_Surface) now =
-      Handle(Geom_Surface)::DownCast(closed->Transformed(face.Location().Transformation().Inverted()));
-  builder.UpdateFace(face, now, face.Location(), BRep_Tool::Tolerance(face));
-  const auto set = [&](const OnFace& on, const Handle(Geom_Surface) & of, const TopLoc_Location& at,
-                       bool is_seam) {
+  const auto set = [&](const CurveOnFace& on, const ClosedForm::Side& side, bool is_seam) {
     const double tolerance = BRep_Tool::Tolerance(on.edge);
     if (is_seam)
-      builder.UpdateEdge(on.edge, on.curve, on.back, of, at, tolerance);
+      builder.UpdateEdge(on.edge, on.curve, on.back, side.surface, side.place, tolerance);
     else
-      builder.UpdateEdge(on.edge, on.curve, of, at, tolerance);
+      builder.UpdateEdge(on.edge, on.curve, side.surface, side.place, tolerance);
   };
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    const bool is_seam = !before[i].back.IsNull();
-    set({before[i].edge, {}, {}}, was, place, is_seam);
-    if (after[i].curve.IsNull()) continue;
-    set(after[i], now, face.Location(), is_seam);
-    builder.Range(after[i].edge, face, after[i].t0, after[i].t1);
+  for (const CurveOnFace& on : from.curves)
+    if (!on.curve.IsNull()) set({on.edge, {}, {}}, from, !on.back.IsNull());
+  builder.UpdateFace(face, to.surface, to.place, BRep_Tool::Tolerance(face));
+  for (const CurveOnFace& on : to.curves) {
+    if (on.curve.IsNull()) continue;
+    set(on, to, !on.back.IsNull());
+    builder.Range(on.edge, face, on.t0, on.t1);
   }
-  return true;
+}
+
+/// Puts a face on its closed form. Standard_Failure or none, and nothing is done, where that cannot be.
+std::optional<ClosedForm> give_closed_form(const TopoDS_Face& face) {
+  const std::shared_ptr<const Surface> surface = make_surface(face, 0);
+  if (!is_recognised(*surface)) return std::nullopt;
+  const Handle(Geom_Surface) closed = closed_form(*surface);
+  if (closed.IsNull()) return std::nullopt;
+  ClosedForm form{face, {}, {}};
+  form.was.surface = BRep_Tool::Surface(face, form.was.place);
+  form.was.curves = form.is.curves = curves_on(face);
+  if (!move_curves(BRep_Tool::Surface(face), closed, from_occt_uv(*surface), form.is.curves))
+    return std::nullopt;
+  form.is.place = face.Location();
+  form.is.surface =
+      Handle(Geom_Surface)::DownCast(closed->Transformed(face.Location().Transformation().Inverted()));
+  put_on(face, form.was, form.is);
+  return form;
 }
 
 }  // namespace
 
-int give_closed_forms(const std::vector<TopoDS_Shape>& solids) {
+std::vector<ClosedForm> give_closed_forms(const std::vector<TopoDS_Shape>& solids) {
   TopTools_IndexedMapOfShape faces;
   for (const TopoDS_Shape& solid : solids) TopExp::MapShapes(solid, TopAbs_FACE, faces);
-  int count = 0;
+  std::vector<ClosedForm> forms;
   for (int i = 1; i <= faces.Extent(); ++i) {
     const TopoDS_Face face = TopoDS::Face(faces(i).Oriented(TopAbs_FORWARD));
     if (BRep_Tool::Surface(face)->IsKind(STANDARD_TYPE(Geom_ElementarySurface))) continue;
     try {
-      count += give_closed_form(face) ? 1 : 0;
+      if (std::optional<ClosedForm> form = give_closed_form(face)) forms.push_back(*std::move(form));
     } catch (const ModelError&) {        // it has no surface: told where it is needed
     } catch (const Standard_Failure&) {  // it stays as it is
     }
   }
-  return count;
+  return forms;
+}
+
+void take_back(const std::vector<ClosedForm>& forms) {
+  for (const ClosedForm& form : forms) put_on(form.face, form.is, form.was);
 }
 
 }  // namespace octet

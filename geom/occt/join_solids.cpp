@@ -51,8 +51,18 @@ class Joiner {
       : as_read_(as_read), healed_(std::move(healed)), options_(options), log_(log) {}
 
   JoinedSolids run() {
-    if (fuses()) give_closed_forms_first();
-    while (!succeeds()) {
+    const SolidSet as_they_are = healed_;
+    const std::vector<ClosedForm> forms = closed_forms_first();
+    if (forms.empty()) {
+      join();
+    } else if (!joins_all()) {
+      take_back(forms);
+      healed_ = as_they_are;
+      apart_.clear();
+      lost_.clear();
+      fuses_.clear();
+      log_("joining the solids with their splines as they are");
+      join();
     }
     for (KeptApart& kept : apart_) {
       kept.solid = tag_of(kept.solid);
@@ -64,13 +74,33 @@ class Joiner {
  private:
   [[nodiscard]] bool fuses() const { return options_.fuse && healed_.solids.size() > 1; }
 
-  void give_closed_forms_first() {
+  [[nodiscard]] std::vector<ClosedForm> closed_forms_first() {
+    if (!fuses()) return {};
     log_("looking for planes, cylinders and cones among splines");
-    if (const int count = give_closed_forms(healed_.solids); count > 0)
+    std::vector<ClosedForm> forms = give_closed_forms(healed_.solids);
+    if (!forms.empty())
       healed_.notes.push_back(fmt::format(
           "{} face(s) whose splines are planes, cylinders or cones to rounding were put on these before the "
           "solids were fused",
-          count));
+          forms.size()));
+    return forms;
+  }
+
+  void join() {
+    while (!succeeds()) {
+    }
+  }
+
+  /// Whether all solids are joined, and none is lost: where surfaces touch, what joins them is a matter of
+  /// luck.
+  bool joins_all() {
+    try {
+      join();
+    } catch (const ModelError&) {
+      return false;
+    }
+    return lost_.empty() &&
+           std::all_of(apart_.begin(), apart_.end(), [](const KeptApart& kept) { return kept.late; });
   }
 
   bool succeeds() {

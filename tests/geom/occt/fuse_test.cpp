@@ -361,6 +361,17 @@ TEST(Fuse, ASolidThatCannotBeClosedIsLeftOutAndTheOthersAreJoined) {
   EXPECT_EQ(shared, 1);
 }
 
+// Closed forms may be what does not join: then all is tried with the splines.
+TEST(Fuse, SplinesStayAsTheyAreWhereNotAllIsJoinedWithoutThem) {
+  const auto told = [](const TopoDS_Shape& solids) {
+    const Model model = model_from_shape(BRepBuilderAPI_NurbsConvert(solids, true).Shape());
+    EXPECT_EQ(model.count(3), 2);
+    return has_note(model, "face(s) whose splines are planes");
+  };
+  EXPECT_TRUE(told(compound_of({box(0, 1), box(1, 2)})));
+  EXPECT_FALSE(told(compound_of({box(0, 1), open_box(2, 3), box(1, 2)})));
+}
+
 TEST(Fuse, APartOfOneOpenSolidIsRefused) { EXPECT_THROW((void)model_from_shape(open_box(0, 1)), ModelError); }
 
 }  // namespace
