@@ -106,9 +106,9 @@ int mesh_to_file(const MeshCommand& command, const MeshOptions& options, const L
   console.clear();
 
   if (!command.quiet)
-    fmt::print("{} -> {} ({})\n{}", names.part,
-               fmt::join(std::vector<std::string>(command.outputs.begin(), command.outputs.end()), ", "),
-               unit.name, mesh_summary(model, report));
+    fmt::print("{} -> {}{} ({})\n{}", names.part, names.mesh,
+               names.copies.empty() ? "" : fmt::format(", {}", fmt::join(names.copies, ", ")), unit.name,
+               mesh_summary(model, report));
   return report.status == MeshStatus::kComplete ? kExitComplete : kExitIncomplete;
 }
 

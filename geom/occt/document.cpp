@@ -82,10 +82,10 @@ std::vector<bool> words_in(const std::filesystem::path& path, const std::vector<
   constexpr std::size_t kBlock = std::size_t{1} << 20;
   std::vector<bool> found(words.size(), false);
   std::ifstream in(path, std::ios::binary);
+  std::size_t kept = 0;  // of the block before: a word may lie across
+  for (const std::string& word : words) kept = std::max(kept, word.size());
   std::string text;
   while (in && !found.front()) {
-    std::size_t kept = 0;  // of the block before: a word may lie across
-    for (const std::string& word : words) kept = std::max(kept, word.size());
     text.erase(0, text.size() - std::min(text.size(), kept));
     const std::size_t before = text.size();
     text.resize(before + kBlock);

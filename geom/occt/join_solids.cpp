@@ -56,6 +56,7 @@ class Joiner {
     if (forms.empty()) {
       join();
     } else if (!joins_all()) {
+      // Where surfaces touch OCCT may find what they have in common as splines and not on closed forms.
       take_back(forms);
       healed_ = as_they_are;
       apart_.clear();
@@ -91,8 +92,7 @@ class Joiner {
     }
   }
 
-  /// Whether all solids are joined, and none is lost: where surfaces touch, what joins them is a matter of
-  /// luck.
+  /// Whether all solids were joined, and none was lost.
   bool joins_all() {
     try {
       join();

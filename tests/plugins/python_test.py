@@ -2,6 +2,7 @@
 """Octet's Python package, with the built program: $OCTET, $PYTHONPATH and $OCTET_MODELS."""
 import gc
 import os
+import re
 import shutil
 import tempfile
 import unittest
@@ -100,6 +101,8 @@ class Arrays(unittest.TestCase):
         self.assertEqual(mesh.entities("face7"), [(2, 7)])
         self.assertEqual(mesh.entities("Solid1"), [(3, 1)])
         self.assertEqual(len(mesh.entities("Face?")), 9)
+        mesh.names[2, 5] = "Face7"
+        self.assertEqual(mesh.entities("Face7"), [(2, 7)])
         self.assertEqual(len(mesh.elements("bracket*")), len(mesh.tets))
         with self.assertRaisesRegex(KeyError, "did you mean 'bracket 1'"):
             mesh.nodes("braket 1")
@@ -241,6 +244,12 @@ class Runs(unittest.TestCase):
 
 
 class Files(unittest.TestCase):
+    def test_the_package_has_the_version_of_the_program(self):
+        package = os.path.dirname(os.path.dirname(octet.__file__))
+        with open(os.path.join(package, "pyproject.toml"), encoding="utf-8") as file:
+            (version,) = re.findall(r'^version = "(.*)"$', file.read(), flags=re.MULTILINE)
+        self.assertEqual(version, octet.mesh(model("box.step")).report["octet"])
+
     def test_a_damaged_file_is_refused(self):
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "a.msh")

@@ -5,13 +5,12 @@ import re
 import shlex
 import shutil
 import tempfile
-import time
 
 import FreeCAD
 import Fem
 
 from . import groups
-from .program import OctetError, Run, find_program
+from .program import OctetError, Run, find_program, words_of
 
 PREFERENCES = "User parameter:BaseApp/Preferences/Mod/Octet"
 MILLIMETRE = "mm"
@@ -85,14 +84,14 @@ def update_groups(obj):
     return lacking
 
 
-def words_of(fault, renumbered, counts):
+def words_as_shown(fault, renumbered, counts):
     """One line: entity as FreeCAD counts, place, cause, what to do."""
-    text = fault["cause"]
+    number = None
     if fault["dim"] >= 0 and fault["tag"] > 0:
         number = groups.number_shown(fault["dim"], fault["tag"], renumbered, counts)
-        entity = fault["entity"] if number is None else f"{groups.KINDS[fault['dim']]} {number}"
-        text = "{} at ({}): {}".format(entity, ", ".join(f"{x:.6g}" for x in fault["place"]), text)
-    return f"{text} -> {fault['advice']}" if fault["advice"] else text
+    if number is not None:
+        fault = {**fault, "entity": f"{groups.KINDS[fault['dim']]} {number}"}
+    return words_of(fault)
 
 
 class Mesher:
@@ -126,12 +125,13 @@ class Mesher:
         if self.run is not None:
             self.run.cancel()
 
-    def finish(self):
-        """Waits, and gives the object its mesh, groups and outcome. Returns the report. OctetError when there
-        is no mesh: the object keeps the one that it had, and its status tells."""
+    def finish(self, time_limit=None):
+        """Waits, `time_limit` seconds at most, and gives the object its mesh, groups and outcome. Returns the
+        report. OctetError when there is no mesh: the object keeps the one that it had, and its status tells.
+        """
         obj = self.obj
         try:
-            report = self.run.wait()
+            report = self.run.follow(time_limit=time_limit)
             femmesh = Fem.read(self._mesh_file)
         except Exception as error:
             obj.Status, obj.Summary, obj.Faults = "failed", [], [str(error)]
@@ -148,11 +148,11 @@ class Mesher:
         obj.FemMesh = femmesh
         obj.Status = report["status"]
         obj.Summary = [" ".join(line.split()) for line in self.run.summary()[1:]]
-        told = [
-            words_of(fault, report["renumbered"], self._counts)
+        faults = [
+            words_as_shown(fault, report["renumbered"], self._counts)
             for fault in report["faults"] + report["warnings"]
         ]
-        obj.Faults = told + [f"{name} refers to elements that the mesh does not have" for name in lacking]
+        obj.Faults = faults + [f"{name} refers to elements that the mesh does not have" for name in lacking]
         return report
 
 
@@ -161,10 +161,4 @@ def mesh(obj, time_limit=None):
     is no mesh."""
     mesher = Mesher(obj)
     mesher.start()
-    end = None if time_limit is None else time.monotonic() + time_limit
-    while mesher.running():
-        if end is not None and time.monotonic() > end:
-            mesher.cancel()
-            break
-        time.sleep(0.02)
-    return mesher.finish()
+    return mesher.finish(time_limit)

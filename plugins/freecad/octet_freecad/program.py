@@ -3,13 +3,11 @@
 import os
 import sys
 
-try:
-    from octet import program
-except ImportError:
-    sys.path.append(os.path.normpath(os.path.join(os.path.realpath(__file__), "../../../python")))
-    from octet import program
+# The package of this plug-in's own version goes before any other of its name.
+sys.path.insert(0, os.path.normpath(os.path.join(os.path.realpath(__file__), "../../../python")))
+from octet import program  # noqa: E402
 
-OctetError, Run = program.OctetError, program.Run
+OctetError, Run, words_of = program.OctetError, program.Run, program.words_of
 SETTING = (
     program.SETTING + ", or in FreeCAD by Tools > Edit parameters, "
     "BaseApp/Preferences/Mod/Octet, a text Program"

@@ -51,16 +51,17 @@ class Mesh:
         return None if self.report is None else self.report["status"] == "complete"
 
     def entities(self, which):
-        """(dimension, tag) of all that `which` names: such a pair, Face12, Solid3 or Region3, or a name or a
-        pattern of names with * and ?. KeyError when it names nothing."""
+        """(dimension, tag) of all that `which` names: such a pair; a number as Face12, Solid3 or Region3, which
+        goes before a name of that sound; or a name or a pattern of names with * and ?. KeyError when no name
+        fits."""
         if not isinstance(which, str):
             dim, tag = which
             return [(int(dim), int(tag))]
-        found = sorted(entity for entity, name in self.names.items() if fnmatch.fnmatchcase(name, which))
         number = re.fullmatch(r"(vertex|edge|face|region|solid)(\d+)", which, flags=re.IGNORECASE)
-        if not found and number:
+        if number:
             dim = 3 if number[1].lower() == "solid" else KINDS.index(number[1].capitalize())
-            found = [(dim, int(number[2]))]
+            return [(dim, int(number[2]))]
+        found = sorted(entity for entity, name in self.names.items() if fnmatch.fnmatchcase(name, which))
         if not found:
             near = difflib.get_close_matches(which, self.names.values(), 1)
             raise KeyError(f"nothing is called {which!r}" + (f"; did you mean {near[0]!r}?" if near else ""))

@@ -8,7 +8,7 @@ import weakref
 import numpy as np
 
 from .arrays import Mesh
-from .program import OctetError, Run, ask, find_program
+from .program import OctetError, Run, ask, find_program, words_of
 
 
 class IncompleteError(OctetError):
@@ -20,14 +20,6 @@ class IncompleteError(OctetError):
             f"incomplete, {len(faults)} fault(s): {words_of(faults[0])}" if faults else "incomplete"
         )
         self.mesh = mesh
-
-
-def words_of(fault):
-    """A fault or warning of a report in one line."""
-    text = fault["cause"]
-    if fault["entity"]:
-        text = "{} at ({}): {}".format(fault["entity"], ", ".join(f"{x:.6g}" for x in fault["place"]), text)
-    return f"{text} -> {fault['advice']}" if fault["advice"] else text
 
 
 class _Folder:

@@ -140,3 +140,11 @@ def ask(program, arguments):
     if done.returncode not in (COMPLETE, INCOMPLETE):
         raise OctetError(_reason(done.stderr.splitlines(), done.returncode))
     return json.loads(done.stdout)
+
+
+def words_of(fault):
+    """A fault or warning of a report in one line."""
+    text = fault["cause"]
+    if fault["entity"]:
+        text = "{} at ({}): {}".format(fault["entity"], ", ".join(f"{x:.6g}" for x in fault["place"]), text)
+    return f"{text} -> {fault['advice']}" if fault["advice"] else text
