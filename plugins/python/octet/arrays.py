@@ -14,8 +14,8 @@ MESHIO = {1: ("line", "triangle", "tetra"), 2: ("line3", "triangle6", "tetra10")
 
 
 class Mesh:
-    """Points, edges, triangles and tetrahedra, each with the model entity that it lies on, in the order of their
-    numbers in the mesh's files, where these count from 1.
+    """Points, edges, triangles and tetrahedra, each with the model entity that it lies on, in the order of
+    their numbers in the mesh's files, where these count from 1.
 
     points        (n, 3) float64, in the unit that the mesh was asked for in
     point_on      (n, 2) int32, dimension and tag of the model entity of least dimension that holds the point
@@ -51,9 +51,9 @@ class Mesh:
         return None if self.report is None else self.report["status"] == "complete"
 
     def entities(self, which):
-        """(dimension, tag) of all that `which` names: such a pair; a number as Face12, Solid3 or Region3, which
-        goes before a name of that sound; or a name or a pattern of names with * and ?. KeyError when no name
-        fits."""
+        """(dimension, tag) of all that `which` names: such a pair; a number as Face12, Solid3 or Region3,
+        which goes before a name of that sound; or a name or a pattern of names with * and ?. KeyError when no
+        name fits."""
         if not isinstance(which, str):
             dim, tag = which
             return [(int(dim), int(tag))]
@@ -83,13 +83,13 @@ class Mesh:
         return rows
 
     def nodes(self, which):
-        """Indices of the points on the closure of all that `which` names (see entities), ascending: on a face,
-        those of its edges and vertices, too. KeyError when there are none."""
+        """Indices of the points on the closure of all that `which` names (see entities), ascending: on a
+        face, those of its edges and vertices, too. KeyError when there are none."""
         return np.unique(np.concatenate([self._of(*entity).ravel() for entity in self.entities(which)]))
 
     def elements(self, which):
-        """Rows of `tets`, `triangles` or `edges` (or single points) on what `which` names. KeyError when there
-        are none, ValueError when it names entities of more than one dimension."""
+        """Rows of `tets`, `triangles` or `edges` (or single points) on what `which` names. KeyError when
+        there are none, ValueError when it names entities of more than one dimension."""
         entities = self.entities(which)
         if len({dim for dim, _ in entities}) > 1:
             raise ValueError(f"{which!r} names entities of several dimensions")

@@ -31,8 +31,8 @@ class _Folder:
 
 
 def _words(options):
-    """Keywords as words of the command line: wall_elements=2 is --wall-elements 2, cap=True is --cap; a list is
-    an option several times, a dict one of places and values."""
+    """Keywords as words of the command line: wall_elements=2 is --wall-elements 2, cap=True is --cap; a list
+    is an option several times, a dict one of places and values."""
     words = []
     for name, value in options.items():
         option = "--" + name.replace("_", "-")
@@ -122,14 +122,14 @@ def mesh(
     part        path of a STEP, IGES or BREP file; or a shape of FreeCAD or CadQuery (with exportBrep)
     size        edge length of the elements; None: from the part's own dimensions
     size_at     sizes at places: {"Face12": 0.5, "bore*": "/24", "ball:0,0,0,5": 1}; or a list of "PLACE=SIZE"
-    field       sizes over space: (points, sizes) with arrays of shape (n, 3) and (n,), or a path (CSV, MSH, VTU)
+    field       sizes over space: (points, sizes), arrays of shape (n, 3) and (n,), or a path (CSV, MSH, VTU)
     order       of the elements: 1 or 2
     output      files to keep, too: .msh, .vtu, .inp, .unv; a path or a list of paths
     incomplete  "raise": a mesh that is not right everywhere raises IncompleteError, which has it;
                 "accept": it is returned, and its report tells
     progress    called with (stage, fraction) as stages begin; what it raises ends the run
     time_limit  seconds; then the run is cancelled
-    options     any other option of `octet mesh` in its own words: wall_elements=2, unit="m", threads=4, cap=True
+    options     any other option of `octet mesh` in its own words: wall_elements=2, unit="m", cap=True
 
     OctetError when there is no mesh: the text says why, with the CAD entity at fault.
     """
@@ -198,7 +198,7 @@ def info(part, **options):
 
 
 def check(mesh, part, **options):
-    """Every claim about a mesh against its part: the JSON of `octet check`, a dict; status complete or not."""
+    """Every claim about a mesh against its part: the JSON of `octet check`, a dict with its status."""
     folder = _Folder()
     words = [_mesh_file(mesh), _part_file(part, folder.name), *_words(_with_unit(mesh, options))]
     return ask(find_program(), ["check", *words])

@@ -2,8 +2,8 @@
 """Binary MSH 4.1 files into arrays. [Gmsh reference manual, "MSH file format", version 4.1]"""
 import numpy as np
 
-# By MSH's number of a kind of element: its dimension, and its nodes in the order of VTK, Abaqus and meshio. MSH
-# has the last two nodes of a tetrahedron of second order the other way round.
+# By MSH's number of a kind of element: its dimension, and its nodes in the order of VTK, Abaqus and meshio.
+# MSH has the last two nodes of a tetrahedron of second order the other way round.
 KINDS = {
     15: (0, [0]),
     1: (1, [0, 1]),
@@ -134,8 +134,8 @@ def _sections(cursor):
 
 def read(path):
     """What Mesh is made of, by name; points and elements by ascending number, which is the order that octet
-    itself, and its files of other formats, have them in. ValueError when the file is no binary MSH 4.1, or is damaged.
-    """
+    itself, and its files of other formats, have them in. ValueError when the file is no
+    binary MSH 4.1, or is damaged."""
     cursor = _Cursor(path)
     if not cursor.data.startswith(b"$MeshFormat\n4.1 1 8\n"):
         raise ValueError(f"{path} is no binary MSH 4.1 file")

@@ -112,8 +112,8 @@ class Run:
         raise OctetError(_reason(self._errors, code))
 
     def follow(self, progress=None, time_limit=None):
-        """As `wait`. `progress(stage, fraction)` is called as stages begin; after `time_limit` seconds the run
-        is cancelled, and so it is when anything is raised meanwhile: by `progress`, or by Ctrl-C."""
+        """As `wait`. `progress(stage, fraction)` is called as stages begin; after `time_limit` seconds the
+        run is cancelled, and so it is when anything is raised meanwhile: by `progress`, or by Ctrl-C."""
         end = None if time_limit is None else time.monotonic() + time_limit
         told = 0
         try:
