@@ -256,16 +256,17 @@ void forget_vertex(WorkMesh& mesh, VertexId v) {
   mesh.vertex_mark.values().pop_back();
 }
 
-bool move_vertex(WorkMesh& mesh, VertexId v, const Vec3& place, std::span<const TetId> star) {
-  const Vec3 before = mesh.points[v];
-  mesh.points[v] = place;
+std::vector<double> shapes_at(const WorkMesh& mesh, VertexId v, const Vec3& place,
+                              std::span<const TetId> star) {
   std::vector<double> shapes;
   shapes.reserve(star.size());
   for (const TetId t : star) {
-    shapes.push_back(shape(mesh.point(t, 0), mesh.point(t, 1), mesh.point(t, 2), mesh.point(t, 3)));
+    const auto point = [&](int corner) -> const Vec3& {
+      return mesh.tets[t][corner] == v ? place : mesh.point(t, corner);
+    };
+    shapes.push_back(shape(point(0), point(1), point(2), point(3)));
   }
-  mesh.points[v] = before;
-  return move_vertex(mesh, v, place, star, shapes);
+  return shapes;
 }
 
 bool move_vertex(WorkMesh& mesh, VertexId v, const Vec3& place, std::span<const TetId> star,

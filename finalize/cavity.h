@@ -45,10 +45,11 @@ struct CavityChange {
 [[nodiscard]] VertexId add_vertex(WorkMesh& mesh, const Vec3& point, ModelRef on);
 void forget_vertex(WorkMesh& mesh, VertexId v);
 
-/// Moves the vertex and brings the qualities of its star up to date. False, and nothing moved, when a
-/// tetrahedron would not be positive by the exact sign.
-[[nodiscard]] bool move_vertex(WorkMesh& mesh, VertexId v, const Vec3& place, std::span<const TetId> star);
-/// The same where the shapes that the star will have are known.
+/// The shapes that the vertex's star would have with the vertex there.
+[[nodiscard]] std::vector<double> shapes_at(const WorkMesh& mesh, VertexId v, const Vec3& place,
+                                            std::span<const TetId> star);
+/// Moves the vertex, of whose star the shapes will be these. False, and nothing moved, when a tetrahedron
+/// would not be positive by the exact sign.
 [[nodiscard]] bool move_vertex(WorkMesh& mesh, VertexId v, const Vec3& place, std::span<const TetId> star,
                                std::span<const double> shapes);
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "finalize/cavity.h"
 #include "finalize/mean_shape.h"
+#include "finalize/operate.h"
 #include "finalize/shape.h"
 #include "mesh/quality.h"
 
@@ -238,7 +238,7 @@ bool collapse(Workshop& shop, VertexId gone, VertexId kept, double floor, bool f
   }
   change.removed_pieces = removed_pieces;
   change.added_pieces = added_pieces;
-  if (!replace_cavity(mesh, change, shop.made)) return false;
+  if (!replace(shop, change)) return false;
   shop.guard.take(draft.changes);
   ++shop.report.collapses;
   return true;

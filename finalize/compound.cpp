@@ -34,7 +34,8 @@ void take_in_made(const Workshop& shop, std::vector<TetId>& area) {
   std::erase_if(area, [&](TetId t) { return !shop.mesh.alive(t); });
 }
 
-/// Betters the worst of what was made, and of what comes of that, until all of it is better than `bar`.
+/// Betters the worst of what was made, and of what comes of that, until all of it is better than `bar` and no
+/// more of it flat than may be.
 bool mend(Workshop& shop, double bar, double goal) {
   const auto& quality = shop.mesh.quality;
   std::vector<TetId> area;
@@ -44,7 +45,7 @@ bool mend(Workshop& shop, double bar, double goal) {
       return std::tie(quality[s], s) < std::tie(quality[t], t);
     });
     // Nothing is left where a surface swap took the one tetrahedron under it away.
-    if (area.empty() || quality[*worst] > bar) {
+    if (area.empty() || (quality[*worst] > bar && shop.flats.settled(shop.mesh.tets.size()))) {
       shop.made = area;
       return true;
     }

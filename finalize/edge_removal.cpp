@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <limits>
 
-#include "finalize/cavity.h"
 #include "finalize/mean_shape.h"
+#include "finalize/operate.h"
 #include "finalize/rim_gain.h"
 #include "finalize/shape.h"
 #include "mesh/quality.h"
@@ -289,7 +289,7 @@ bool carry_out(Workshop& shop, const EdgeRing& ring, const Plan& plan) {
     change.triangles = swap.after;
   }
   const std::vector<MeasureChange> changes = measure_changes(shop, plan.sectors, ring);
-  if (!shop.guard.admits(changes) || !replace_cavity(shop.mesh, change, shop.made)) return false;
+  if (!shop.guard.admits(changes) || !replace(shop, change)) return false;
   shop.guard.take(changes);
   ++shop.report.edge_removals;
   return true;

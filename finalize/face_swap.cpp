@@ -2,7 +2,7 @@
 // Face swap: two tetrahedra that share a face become three around the edge between their far vertices.
 #include "finalize/face_swap.h"
 
-#include "finalize/cavity.h"
+#include "finalize/operate.h"
 #include "finalize/shape.h"
 
 namespace octet {
@@ -33,7 +33,7 @@ bool make_plan(const WorkMesh& mesh, TetId t, int face, double floor, Plan& plan
 }
 
 bool carry_out(Workshop& shop, const Plan& plan) {
-  if (!replace_cavity(shop.mesh, {plan.removed, plan.added}, shop.made)) return false;
+  if (!replace(shop, {plan.removed, plan.added})) return false;
   ++shop.report.face_swaps;
   return true;
 }

@@ -53,7 +53,6 @@ struct FinalizeReport {
   double max_dihedral_after = 0.0;
   std::size_t below_target = 0;  ///< elements still below target_dihedral
   std::size_t smoothed = 0, edge_removals = 0, face_swaps = 0, collapses = 0, splits = 0;
-  std::size_t flat_made = 0;  ///< flat elements (finalize/split.h) that splits made beyond those taken apart
   bool budget_spent = false;
 };
 

@@ -251,6 +251,7 @@ void collapse_short_edges(Workshop& shop) {
 }
 
 void split_long_edges(Workshop& shop, double goal) {
+  const FlatWatch watch(shop.flats);
   WorkMesh& mesh = shop.mesh;
   const auto edges = boundary_edges(mesh, [&](VertexId v, VertexId w, double length) {
     const double share = length / shop.size_at(0.5 * (mesh.points[v] + mesh.points[w]));

@@ -55,7 +55,6 @@ void add_to(FinalizeReport& sum, const FinalizeReport& block) {
   sum.face_swaps += block.face_swaps;
   sum.collapses += block.collapses;
   sum.splits += block.splits;
-  sum.flat_made += block.flat_made;
   sum.budget_spent = sum.budget_spent || block.budget_spent;
 }
 

@@ -24,7 +24,7 @@ constexpr double kPolishAngle = 0.611;
 /// While the worst elements are worked on, and nothing that failed before is taken as failed.
 class Chase {
  public:
-  explicit Chase(Workshop& shop) : shop_(shop) {
+  explicit Chase(Workshop& shop) : shop_(shop), watch_(shop.flats) {
     shop_.forget_failures();
     set(true);
   }
@@ -38,6 +38,7 @@ class Chase {
     shop_.guard.guard_areas(on);
   }
   Workshop& shop_;
+  FlatWatch watch_;
 };
 
 /// Works on what is below the goal, or below what `chase_goal` makes of it, until nothing gives.

@@ -205,12 +205,28 @@ std::vector<MeasureChange> changes_by_move(const Workshop& shop, VertexId v, std
   return changes;
 }
 
+namespace {
+
+int count_flat(const WorkMesh& mesh, std::span<const TetId> tets) {
+  return static_cast<int>(
+      std::count_if(tets.begin(), tets.end(), [&](TetId t) { return FlatGuard::is_flat(mesh.quality[t]); }));
+}
+
+}  // namespace
+
 bool commit_move(Workshop& shop, VertexId v, std::span<const TetId> tets, const Stand& stand,
                  std::span<const MeasureChange> changes, std::span<const double> shapes) {
   if (!shop.guard.admits(changes)) return false;
-  const bool moved = shapes.empty() ? move_vertex(shop.mesh, v, stand.point, tets)
-                                    : move_vertex(shop.mesh, v, stand.point, tets, shapes);
-  if (!moved) return false;
+  std::vector<double> measured;
+  if (shapes.empty()) {
+    measured = shapes_at(shop.mesh, v, stand.point, tets);
+    shapes = measured;
+  }
+  const int more = shop.flats.awake() ? FlatGuard::count_flat(shapes) - count_flat(shop.mesh, tets) : 0;
+  if (!shop.flats.admits(more, shop.mesh.tets.size()) ||
+      !move_vertex(shop.mesh, v, stand.point, tets, shapes))
+    return false;
+  shop.flats.take(more);
   shop.guard.take(changes);
   record_stand(shop, v, stand);
   shop.made.assign(tets.begin(), tets.end());

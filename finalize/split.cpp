@@ -7,18 +7,13 @@
 #include <cstdlib>
 #include <limits>
 
-#include "finalize/cavity.h"
+#include "finalize/operate.h"
 #include "finalize/shape.h"
 #include "finalize/smooth.h"
 #include "mesh/quality.h"
 
 namespace octet {
 namespace {
-
-/// An element whose shape is below that of this angle (radians, 5 degrees) is flat.
-constexpr double kFlatAngle = 0.0873;
-/// So many more flat elements may splits leave, as a share of the elements of the mesh, or of the block.
-constexpr double kMostFlatMade = 0.001;
 
 /// The entity that the edge of the ring lies on; not valid where that cannot be told.
 ModelRef edge_entity(const WorkMesh& mesh, const EdgeRing& ring) {
@@ -100,27 +95,6 @@ std::vector<MeasureChange> measure_changes(const Workshop& shop, const EdgeRing&
   return changes;
 }
 
-/// How many more tetrahedra would be flat than are.
-std::size_t flat_made(const Workshop& shop, const EdgeRing& ring, LocalStar& star, const Stand& stand,
-                      double worst) {
-  static const double flat = shape_of_angle(kFlatAngle);
-  if (worst >= flat) return 0;
-  const auto is_flat = [](double shape) { return shape < flat; };
-  static_cast<void>(measure(star, stand.point, -std::numeric_limits<double>::infinity()));
-  const double* shapes = star.bases.shapes();
-  const auto before = std::count_if(ring.tets.begin(), ring.tets.end(),
-                                    [&](TetId t) { return is_flat(shop.mesh.quality[t]); });
-  const auto after = std::count_if(shapes, shapes + star.bases.size(), is_flat);
-  return after > before ? static_cast<std::size_t>(after - before) : 0;
-}
-
-/// Along a step or a slit far narrower than the size, which flat tetrahedra must fill, halves of edges have
-/// twice as many, of one degree in place of a half. The worst of few come first, and may cost as much.
-bool makes_too_many_flat(const Workshop& shop, std::size_t more) {
-  return more > 0 &&
-         shop.report.flat_made + more > kMostFlatMade * static_cast<double>(shop.mesh.tets.size());
-}
-
 bool commit_split(Workshop& shop, const EdgeRing& ring, const LocalStar& star, const Stand& stand) {
   WorkMesh& mesh = shop.mesh;
   const std::vector<MeasureChange> changes = measure_changes(shop, ring, star, stand.point);
@@ -145,7 +119,7 @@ bool commit_split(Workshop& shop, const EdgeRing& ring, const LocalStar& star, c
   }
   change.removed_pieces = removed_pieces;
   change.added_pieces = added_pieces;
-  if (!replace_cavity(mesh, change, shop.made)) {
+  if (!replace(shop, change)) {
     forget_vertex(mesh, m);
     return false;
   }
@@ -190,12 +164,8 @@ bool split_edge(Workshop& shop, TetId t, VertexId a, VertexId b, double floor, d
   Stand stand;
   double worst = probe(shop, star, from, middle, {0.0, std::numeric_limits<double>::infinity()}, stand);
   if (worst > 0.0) worst = raise_worst(shop, star, stand, worst, goal);
-  const std::size_t more = worst > floor ? flat_made(shop, ring, star, stand, worst) : 0;
   shop.work += star.work;
-  if (worst <= floor || makes_too_many_flat(shop, more) || !commit_split(shop, ring, star, stand))
-    return false;
-  shop.report.flat_made += more;
-  return true;
+  return worst > floor && commit_split(shop, ring, star, stand);
 }
 
 }  // namespace octet

@@ -7,9 +7,7 @@
 namespace octet {
 
 /// Splits edge ab of tetrahedron t if the worst shape around it gets better than `floor`. The new vertex lies
-/// on the model entity that the edge lies on, and is moved until that shape is `goal`, or the best. Splits
-/// that leave more flat tetrahedra than there were (shapes below that of 5 degrees) may make a thousandth of
-/// all flat.
+/// on the model entity that the edge lies on, and is moved until that shape is `goal`, or the best.
 bool split_edge(Workshop& shop, TetId t, VertexId a, VertexId b, double floor, double goal);
 
 /// An upper bound of the worst shape that a split of the ring's edge can leave, wherever the new vertex goes:

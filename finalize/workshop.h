@@ -6,6 +6,7 @@
 
 #include "finalize/boundary_guard.h"
 #include "finalize/finalize.h"
+#include "finalize/flat_guard.h"
 #include "finalize/local_star.h"
 #include "finalize/work_mesh.h"
 
@@ -29,6 +30,7 @@ struct Workshop {
   const Model& model;
   const FinalizeOptions& options;
   BoundaryGuard guard;
+  FlatGuard flats;
   FinalizeReport report;
   bool coarsening = false;          ///< sizes are those of `coarse_size_at`
   bool thorough = false;            ///< project every place tried, also where projections are dear

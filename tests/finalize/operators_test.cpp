@@ -232,6 +232,7 @@ TEST(Split, MakesNoMoreFlatElementsWhereTheyAreMany) {
     for (std::size_t i = 0; i < tets; ++i) {
       for (const auto& e : kTetEdge) {
         Bench bench(testing::box_part({1, 1, thickness}, 2, 2, 1), 0.3);
+        const FlatWatch watch(bench.shop.flats);
         const auto v = bench.shop.mesh.tets[TetId(i)];
         if (!split_edge(bench.shop, TetId(i), v[e[0]], v[e[1]], 1e-9, 1e-8)) continue;
         ++done;
@@ -246,6 +247,7 @@ TEST(Split, MakesNoMoreFlatElementsWhereTheyAreMany) {
 
 TEST(Split, MayMakeAThousandthOfAllFlat) {
   Bench bench(testing::box_part({1, 1, 0.0005}, 40, 40, 1), 0.015);
+  const FlatWatch watch(bench.shop.flats);
   WorkMesh& mesh = bench.shop.mesh;
   const std::size_t tets = mesh.tets.size();
   for (std::size_t i = 0; i < tets; ++i) {
@@ -256,9 +258,9 @@ TEST(Split, MayMakeAThousandthOfAllFlat) {
       split_edge(bench.shop, t, v[e[0]], v[e[1]], 1e-9, 1e-8);
     }
   }
-  EXPECT_GT(bench.shop.report.flat_made, 0u);
-  EXPECT_LE(static_cast<double>(bench.shop.report.flat_made), 0.001 * static_cast<double>(mesh.tets.size()));
-  EXPECT_EQ(bench.tets(), tets + bench.shop.report.flat_made) << "all are flat here";
+  EXPECT_GT(bench.shop.flats.made(), 0u);
+  EXPECT_LE(static_cast<double>(bench.shop.flats.made()), 0.001 * static_cast<double>(mesh.tets.size()));
+  EXPECT_EQ(bench.tets(), tets + bench.shop.flats.made()) << "all are flat here";
 }
 
 TEST(Split, LeavesAnEdgeThatTheSolidTouchesItselfAlong) {
