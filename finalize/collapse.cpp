@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "finalize/mean_shape.h"
-#include "finalize/operate.h"
+#include "finalize/replace.h"
 #include "finalize/shape.h"
 #include "mesh/quality.h"
 

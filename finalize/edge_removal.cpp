@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "finalize/mean_shape.h"
-#include "finalize/operate.h"
+#include "finalize/replace.h"
 #include "finalize/rim_gain.h"
 #include "finalize/shape.h"
 #include "mesh/quality.h"

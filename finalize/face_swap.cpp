@@ -2,7 +2,7 @@
 // Face swap: two tetrahedra that share a face become three around the edge between their far vertices.
 #include "finalize/face_swap.h"
 
-#include "finalize/operate.h"
+#include "finalize/replace.h"
 #include "finalize/shape.h"
 
 namespace octet {

@@ -9,8 +9,9 @@
 namespace octet {
 namespace {
 
-/// Elements whose worst angle is less (radians, 8 degrees) are flat. Measured on 130 electronic parts: 5
-/// leaves most of what was spoiled as it was, 10 lowers the least angles by another 0.05 degrees in the mean.
+/// Elements whose worst angle is less (radians, 8 degrees) are flat. With 5 a capacitor's first percentile is
+/// 14.6 degrees, with 7, 8 and 10 it is 22.6, 27 and 31.1; the least angles of 130 electronic parts fall by
+/// 0.07 degrees in the mean with 8, by 0.12 with 10.
 constexpr double kFlatAngle = 0.1396;
 /// So many more of them may be left, as a share of all elements.
 constexpr double kMostMade = 0.001;
@@ -24,6 +25,11 @@ bool FlatGuard::is_flat(double shape) {
 
 int FlatGuard::count_flat(std::span<const double> shapes) {
   return static_cast<int>(std::count_if(shapes.begin(), shapes.end(), is_flat));
+}
+
+int FlatGuard::count_flat(const WorkMesh& mesh, std::span<const TetId> tets) {
+  return static_cast<int>(
+      std::count_if(tets.begin(), tets.end(), [&](TetId t) { return is_flat(mesh.quality[t]); }));
 }
 
 bool FlatGuard::fits(int more, std::size_t tets) const {

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <span>
 
+#include "finalize/work_mesh.h"
+
 namespace octet {
 
 /// What betters the worst of what it touches may leave all the rest as bad. Where the part forbids good
@@ -16,6 +18,7 @@ class FlatGuard {
   /// Whether the shape (finalize/shape.h) is that of a flat tetrahedron: its worst angle is below 8 degrees.
   [[nodiscard]] static bool is_flat(double shape);
   [[nodiscard]] static int count_flat(std::span<const double> shapes);
+  [[nodiscard]] static int count_flat(const WorkMesh& mesh, std::span<const TetId> tets);
 
   /// While the guard sleeps, and it does at first, nothing is counted and all is admitted.
   void wake(bool awake) { awake_ = awake; }

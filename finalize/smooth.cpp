@@ -205,15 +205,6 @@ std::vector<MeasureChange> changes_by_move(const Workshop& shop, VertexId v, std
   return changes;
 }
 
-namespace {
-
-int count_flat(const WorkMesh& mesh, std::span<const TetId> tets) {
-  return static_cast<int>(
-      std::count_if(tets.begin(), tets.end(), [&](TetId t) { return FlatGuard::is_flat(mesh.quality[t]); }));
-}
-
-}  // namespace
-
 bool commit_move(Workshop& shop, VertexId v, std::span<const TetId> tets, const Stand& stand,
                  std::span<const MeasureChange> changes, std::span<const double> shapes) {
   if (!shop.guard.admits(changes)) return false;
@@ -222,7 +213,8 @@ bool commit_move(Workshop& shop, VertexId v, std::span<const TetId> tets, const 
     measured = shapes_at(shop.mesh, v, stand.point, tets);
     shapes = measured;
   }
-  const int more = shop.flats.awake() ? FlatGuard::count_flat(shapes) - count_flat(shop.mesh, tets) : 0;
+  const int more =
+      shop.flats.awake() ? FlatGuard::count_flat(shapes) - FlatGuard::count_flat(shop.mesh, tets) : 0;
   if (!shop.flats.admits(more, shop.mesh.tets.size()) ||
       !move_vertex(shop.mesh, v, stand.point, tets, shapes))
     return false;

@@ -7,8 +7,7 @@
 #include <cstdlib>
 #include <limits>
 
-#include "finalize/operate.h"
-#include "finalize/shape.h"
+#include "finalize/replace.h"
 #include "finalize/smooth.h"
 #include "mesh/quality.h"
 

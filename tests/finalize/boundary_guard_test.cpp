@@ -52,9 +52,7 @@ TEST(BoundaryGuard, GuardedAreasGetATenthWorseAtMost) {
 
 TEST(BoundaryGuard, BooksWhatOperatorsChange) {
   for (const bool ball : {true, false}) {
-    Part part = ball ? testing::ball_part(6) : testing::cylinder_part(6);
-    testing::Dice dice(3);
-    testing::jitter(part.mesh, part.model, 0.12, dice);
+    Part part = testing::jittered(ball ? testing::ball_part(6) : testing::cylinder_part(6), 0.12, 3);
     const FinalizeOptions options = testing::options_of_size(0.33);
     Workshop shop(to_work_mesh(part.mesh), part.model, options);
     const double before = shop.guard.area_error();

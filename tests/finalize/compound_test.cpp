@@ -18,12 +18,7 @@ namespace {
 
 using testing::Part;
 
-Part jittered_cylinder() {
-  Part part = testing::cylinder_part(5);
-  testing::Dice dice(5);
-  testing::jitter(part.mesh, part.model, 0.12, dice);
-  return part;
-}
+Part jittered_cylinder() { return testing::jittered(testing::cylinder_part(5), 0.12, 5); }
 
 /// All that a trial has to bring back.
 struct State {

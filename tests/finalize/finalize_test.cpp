@@ -38,9 +38,7 @@ FinalizeReport finalize_and_check(Part& part, double size) {
 }
 
 TEST(Finalize, BringsAJitteredBoxWithFlatTetrahedraToTwentyDegreesAndKeepsItsVolume) {
-  Part part = testing::box_part({1, 1.2, 0.8}, 8, 8, 7, true);
-  testing::Dice dice(11);
-  testing::jitter(part.mesh, part.model, 0.09, dice);
+  Part part = testing::jittered(testing::box_part({1, 1.2, 0.8}, 8, 8, 7, true), 0.09, 11);
   EXPECT_GT(testing::glue_flat_tets(part.mesh, part.model), 50);
   const FinalizeReport report = finalize_and_check(part, 0.13);
   EXPECT_LT(report.min_dihedral_before, 0.1 * kDegree);
@@ -66,9 +64,7 @@ double farthest(const Part& part) {
 /// Short edges are collapsed, for the size is three times what the mesh has, but not so that chords and
 /// triangles leave the cylinder.
 TEST(Finalize, LeavesTheSurfaceNoFartherThanItWas) {
-  Part part = testing::cylinder_part(16);
-  testing::Dice dice(5);
-  testing::jitter(part.mesh, part.model, 0.02, dice);
+  Part part = testing::jittered(testing::cylinder_part(16), 0.02, 5);
   const double before = farthest(part);
   const std::size_t nodes = part.mesh.points.size();
   finalize_and_check(part, 0.4);
@@ -77,12 +73,7 @@ TEST(Finalize, LeavesTheSurfaceNoFartherThanItWas) {
   EXPECT_LT(farthest(part), 1.1 * before);
 }
 
-Part jittered_box() {
-  Part part = testing::box_part({1, 1.2, 0.8}, 8, 8, 7, true);
-  testing::Dice dice(11);
-  testing::jitter(part.mesh, part.model, 0.09, dice);
-  return part;
-}
+Part jittered_box() { return testing::jittered(testing::box_part({1, 1.2, 0.8}, 8, 8, 7, true), 0.09, 11); }
 
 TEST(Finalize, SmoothingAloneMovesVerticesAndKeepsTheTetrahedra) {
   Part part = jittered_box();
@@ -154,9 +145,7 @@ std::set<std::array<std::array<double, 3>, 3>> triangles_on(const Mesh& mesh, in
 }
 
 TEST(Finalize, HeldVerticesAndTheTrianglesBetweenThemStay) {
-  Part part = testing::box_part({1, 1, 1}, 6, 6, 6, true);
-  testing::Dice dice(5);
-  testing::jitter(part.mesh, part.model, 0.05, dice);
+  Part part = testing::jittered(testing::box_part({1, 1, 1}, 6, 6, 6, true), 0.05, 5);
   constexpr int kHeld = 1;
   const auto before = triangles_on(part.mesh, kHeld);
   ASSERT_GT(before.size(), 50u);
@@ -174,9 +163,7 @@ TEST(Finalize, HeldVerticesAndTheTrianglesBetweenThemStay) {
 }
 
 TEST(Finalize, KeepsTheSeamToTetrahedraThatAreNotGiven) {
-  Part part = testing::box_part({1, 1, 1}, 8, 8, 8, true);
-  testing::Dice dice(3);
-  testing::jitter(part.mesh, part.model, 0.04, dice);
+  Part part = testing::jittered(testing::box_part({1, 1, 1}, 8, 8, 8, true), 0.04, 3);
   // Taken away: the tetrahedra around inner vertices that are three cells from the boundary.
   const Vec3 centre = part.model.box().centre();
   const auto is_deep = [&](const auto& t) {
@@ -254,9 +241,7 @@ TEST(Finalize, KeepsTheSeamToTetrahedraThatAreNotGiven) {
 }
 
 TEST(Finalize, BringsABallToEighteenDegrees) {
-  Part part = testing::ball_part(8);
-  testing::Dice dice(5);
-  testing::jitter(part.mesh, part.model, 0.1, dice);
+  Part part = testing::jittered(testing::ball_part(8), 0.1, 5);
   const double exact = 4.0 / 3.0 * std::numbers::pi, error = exact - testing::total_volume(part.mesh);
   const double mean = quality_summary(part.mesh).mean_mean_ratio;
   const FinalizeReport report = finalize_and_check(part, 0.25);
@@ -266,9 +251,7 @@ TEST(Finalize, BringsABallToEighteenDegrees) {
 }
 
 TEST(Finalize, BringsACylinderToEighteenDegrees) {
-  Part part = testing::cylinder_part(8);
-  testing::Dice dice(9);
-  testing::jitter(part.mesh, part.model, 0.1, dice);
+  Part part = testing::jittered(testing::cylinder_part(8), 0.1, 9);
   const FinalizeReport report = finalize_and_check(part, 0.25);
   EXPECT_GE(report.min_dihedral_after, 18.0 * kDegree);
 }
@@ -291,9 +274,8 @@ double largest_sampled_deviation(const Part& part) {
 TEST(Finalize, KeepsRoundFacesAsNearAsTheyWere) {
   for (const bool ball : {true, false}) {
     for (const int seed : {1, 2, 3, 4, 5}) {
-      Part part = ball ? testing::ball_part(8) : testing::cylinder_part(8);
-      testing::Dice dice(static_cast<std::uint64_t>(seed));
-      testing::jitter(part.mesh, part.model, 0.1, dice);
+      Part part = testing::jittered(ball ? testing::ball_part(8) : testing::cylinder_part(8), 0.1,
+                                    static_cast<std::uint64_t>(seed));
       const double before = largest_sampled_deviation(part);
       finalize_and_check(part, 0.25);
       // Jitter stretches the triangles, which finalization mends: measured 0.39 to 0.70 of it.
@@ -303,9 +285,7 @@ TEST(Finalize, KeepsRoundFacesAsNearAsTheyWere) {
 }
 
 TEST(Finalize, KeepsAnInterfaceBetweenTwoRegions) {
-  Part part = testing::two_boxes_part(5);
-  testing::Dice dice(4);
-  testing::jitter(part.mesh, part.model, 0.15, dice);
+  Part part = testing::jittered(testing::two_boxes_part(5), 0.15, 4);
   const FinalizeReport report = finalize_and_check(part, 0.2);
   EXPECT_GE(report.min_dihedral_after, 20.0 * kDegree);
   EXPECT_GT(report.edge_removals, 15u);
@@ -398,9 +378,7 @@ TEST(Finalize, LeavesBelowTheTargetOnlyWhatThePartForbids) {
 }
 
 TEST(Finalize, DoesNotWreckAThinCurvedSheetForItsAngles) {
-  Part part = testing::shell_part(10, 0.93);
-  testing::Dice dice(8);
-  testing::jitter(part.mesh, part.model, 0.02, dice);
+  Part part = testing::jittered(testing::shell_part(10, 0.93), 0.02, 8);
   const double exact = part.model.region(1).volume;
   const double error = std::abs(testing::total_volume(part.mesh) - exact);
   finalize_and_check(part, 0.25);
@@ -410,9 +388,7 @@ TEST(Finalize, DoesNotWreckAThinCurvedSheetForItsAngles) {
 TEST(Finalize, GivesTheSameMeshTwice) {
   Mesh meshes[2];
   for (Mesh& mesh : meshes) {
-    Part part = testing::ball_part(6);
-    testing::Dice dice(1);
-    testing::jitter(part.mesh, part.model, 0.12, dice);
+    Part part = testing::jittered(testing::ball_part(6), 0.12, 1);
     finalize_and_check(part, 0.3);
     mesh = part.mesh;
   }
@@ -424,9 +400,8 @@ TEST(Finalize, GivesTheSameMeshTwice) {
 
 TEST(Finalize, OnItsOwnOutputMakesNothingWorseAndHasLittleToDo) {
   for (const bool ball : {true, false}) {
-    Part part = ball ? testing::ball_part(8) : testing::box_part({1, 1.2, 0.8}, 8, 8, 7, true);
-    testing::Dice dice(6);
-    testing::jitter(part.mesh, part.model, 0.08, dice);
+    Part part = testing::jittered(
+        ball ? testing::ball_part(8) : testing::box_part({1, 1.2, 0.8}, 8, 8, 7, true), 0.08, 6);
     const double size = ball ? 0.25 : 0.13;
     const FinalizeReport first = finalize_and_check(part, size);
     const QualitySummary once = quality_summary(part.mesh);
@@ -446,9 +421,7 @@ TEST(Finalize, EndsWhenTheObserverAsks) {
   struct Stop : Observer {
     [[nodiscard]] bool cancelled() const override { return true; }
   } observer;
-  Part part = testing::box_part({1, 1, 1}, 8, 8, 8);
-  testing::Dice dice(2);
-  testing::jitter(part.mesh, part.model, 0.05, dice);
+  Part part = testing::jittered(testing::box_part({1, 1, 1}, 8, 8, 8), 0.05, 2);
   EXPECT_THROW(finalize(part.mesh, part.model, testing::options_of_size(0.12), observer), Cancelled);
 }
 

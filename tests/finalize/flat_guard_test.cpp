@@ -14,7 +14,6 @@
 #include "finalize/shape.h"
 #include "finalize/smooth.h"
 #include "finalize/split.h"
-#include "finalize/trial.h"
 #include "tests/finalize/parts.h"
 
 namespace octet {
@@ -24,12 +23,7 @@ using testing::Part;
 
 constexpr double kEightDegrees = 0.1396;
 
-Part jittered_cylinder() {
-  Part part = testing::cylinder_part(5);
-  testing::Dice dice(5);
-  testing::jitter(part.mesh, part.model, 0.2, dice);
-  return part;
-}
+Part jittered_cylinder() { return testing::jittered(testing::cylinder_part(5), 0.2, 5); }
 
 int flat_of(const WorkMesh& mesh) {
   int count = 0;

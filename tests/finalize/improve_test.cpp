@@ -19,9 +19,7 @@ using testing::faults_of;
 using testing::Part;
 
 TEST(Improve, ObtuseAnglesAreOpened) {
-  Part part = testing::cylinder_part(8);
-  testing::Dice dice(3);
-  testing::jitter(part.mesh, part.model, 0.05, dice);
+  Part part = testing::jittered(testing::cylinder_part(8), 0.05, 3);
   const std::vector<int> euler = testing::face_euler(part.mesh, part.model.count(2));
   const FinalizeOptions options = testing::options_of_size(0.25);
   Workshop shop(to_work_mesh(part.mesh), part.model, options);
@@ -42,9 +40,7 @@ TEST(Improve, ObtuseAnglesAreOpened) {
 }
 
 TEST(Improve, SmoothingInVainIsTriedAgainWhereSomethingHasChanged) {
-  Part part = testing::cylinder_part(6);
-  testing::Dice dice(5);
-  testing::jitter(part.mesh, part.model, 0.05, dice);
+  Part part = testing::jittered(testing::cylinder_part(6), 0.05, 5);
   const FinalizeOptions options = testing::options_of_size(0.3);
   Workshop shop(to_work_mesh(part.mesh), part.model, options);
   const double goal = shape_of_angle(0.6);

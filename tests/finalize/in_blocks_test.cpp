@@ -56,12 +56,7 @@ struct Listener : Observer {
 };
 
 /// A long bar, jittered: blocks of it have few tetrahedra about their seams.
-Part jittered_bar() {
-  Part part = testing::box_part({40, 1, 1}, 120, 3, 3, true);
-  testing::Dice dice(7);
-  testing::jitter(part.mesh, part.model, 0.08, dice);
-  return part;
-}
+Part jittered_bar() { return testing::jittered(testing::box_part({40, 1, 1}, 120, 3, 3, true), 0.08, 7); }
 
 TEST(MeshBlocks, PutTogetherUnchangedAreTheMesh) {
   const Part part = testing::two_boxes_part(6);
@@ -216,16 +211,12 @@ void expect_no_worse_in_blocks(const Part& part, double size, std::size_t block_
 TEST(FinalizeInBlocks, DoesAsWellAsAsAWholeOnABar) { expect_no_worse_in_blocks(jittered_bar(), 0.33, 1800); }
 
 TEST(FinalizeInBlocks, DoesAsWellAsAsAWholeOnARoundShell) {
-  Part part = testing::shell_part(16, 0.85);
-  testing::Dice dice(3);
-  testing::jitter(part.mesh, part.model, 0.02, dice);
+  Part part = testing::jittered(testing::shell_part(16, 0.85), 0.02, 3);
   expect_no_worse_in_blocks(part, 0.13, part.mesh.tets.size() / 2);
 }
 
 TEST(FinalizeInBlocks, DoesAsWellAsAsAWholeWhereRegionsMeetAtASeam) {
-  Part part = testing::two_boxes_part(12);
-  testing::Dice dice(4);
-  testing::jitter(part.mesh, part.model, 0.02, dice);
+  Part part = testing::jittered(testing::two_boxes_part(12), 0.02, 4);
   expect_no_worse_in_blocks(part, 1.0 / 12.0, part.mesh.tets.size() / 2);
 }
 

@@ -278,9 +278,7 @@ TEST(Split, LeavesAnEdgeThatTheSolidTouchesItselfAlong) {
 }
 
 TEST(Smooth, NeverLowersTheWorstOfTheStarAndStaysOnTheEntity) {
-  Part part = testing::cylinder_part(5);
-  testing::Dice dice(3);
-  testing::jitter(part.mesh, part.model, 0.12, dice);
+  Part part = testing::jittered(testing::cylinder_part(5), 0.12, 3);
   Bench bench(std::move(part), 0.4);
   WorkMesh& mesh = bench.shop.mesh;
   std::vector<TetId> tets;

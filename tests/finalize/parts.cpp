@@ -106,6 +106,12 @@ Part cylinder_part(int n) {
   return part;
 }
 
+Part jittered(Part part, double amount, std::uint64_t seed) {
+  Dice dice(seed);
+  jitter(part.mesh, part.model, amount, dice);
+  return part;
+}
+
 Part spindle_part(int n) {
   Part part{analytic_ball(1.0), {}};
   part.mesh.points = {{0, 0, -1}, {0, 0, 1}};

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "finalize/workshop.h"
@@ -26,6 +27,8 @@ struct Part {
 [[nodiscard]] Part shell_part(int n, double inner);
 /// The cube's lattice drawn to a cylinder of radius 1 and height 2.
 [[nodiscard]] Part cylinder_part(int n);
+/// The part with the vertices of its mesh moved at random (see `jitter`).
+[[nodiscard]] Part jittered(Part part, double amount, std::uint64_t seed);
 /// n tetrahedra around the axis of the unit ball, n at least 3: two poles and a rim on the equator.
 [[nodiscard]] Part spindle_part(int n);
 

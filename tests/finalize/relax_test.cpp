@@ -15,12 +15,7 @@ namespace {
 using testing::faults_of;
 using testing::Part;
 
-Part jittered_cylinder() {
-  Part part = testing::cylinder_part(8);
-  testing::Dice dice(3);
-  testing::jitter(part.mesh, part.model, 0.08, dice);
-  return part;
-}
+Part jittered_cylinder() { return testing::jittered(testing::cylinder_part(8), 0.08, 3); }
 
 double worst_shape(const WorkMesh& mesh) {
   double worst = 1.0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The door that operators use: `replace_cavity`, unless more flat tetrahedra would be left than may be.
-#include "finalize/operate.h"
+#include "finalize/replace.h"
 
 #include <algorithm>
 
@@ -15,9 +15,7 @@ int more_flat(const WorkMesh& mesh, const CavityChange& change) {
     return FlatGuard::is_flat(
         shape(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], mesh.points[v[3]]));
   });
-  const auto removed = std::count_if(change.removed.begin(), change.removed.end(),
-                                     [&](TetId t) { return FlatGuard::is_flat(mesh.quality[t]); });
-  return static_cast<int>(added - removed);
+  return static_cast<int>(added) - FlatGuard::count_flat(mesh, change.removed);
 }
 
 }  // namespace
