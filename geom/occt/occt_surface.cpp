@@ -74,12 +74,12 @@ void OcctSurface::set_range(const UvCell& face_cell) {
     range_.lo[i] -= kMargin * asked;
     range_.hi[i] += kMargin * asked;
     if (periodic[i]) continue;
-    // Loops may run somewhat beyond a spline's own bounds: its polynomials go on there, but not across a
-    // pole.
-    if (!jets_.runs_on() || is_collapsed(i, lo[i]))
-      range_.lo[i] = std::max(range_.lo[i], std::min(lo[i], face_cell.lo[i]));
-    if (!jets_.runs_on() || is_collapsed(i, hi[i]))
-      range_.hi[i] = std::min(range_.hi[i], std::max(hi[i], face_cell.hi[i]));
+    // Loops may run somewhat beyond a spline's own bounds: its polynomials go on there, but not for long, and
+    // not across a pole.
+    const double below = is_collapsed(i, lo[i]) ? 0.0 : jets_.runs_on(i, 0);
+    const double above = is_collapsed(i, hi[i]) ? 0.0 : jets_.runs_on(i, 1);
+    range_.lo[i] = std::max(range_.lo[i], std::min(lo[i] - below, face_cell.lo[i]));
+    range_.hi[i] = std::min(range_.hi[i], std::max(hi[i] + above, face_cell.hi[i]));
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <Geom_OffsetSurface.hxx>
 #include <Geom_Surface.hxx>
+#include <array>
 #include <functional>
 #include <vector>
 
@@ -27,20 +28,22 @@ class SurfaceJets {
   /// Per direction: ends of the range and all parameters between at which the surface may bend abruptly.
   [[nodiscard]] std::vector<double> u_breaks(const UvCell& range) const;
   [[nodiscard]] std::vector<double> v_breaks(const UvCell& range) const;
-  /// Whether the surface goes on beyond its own bounds as it is within them.
-  [[nodiscard]] bool runs_on() const { return runs_on_; }
+  /// How far the surface goes on beyond an end (0, 1) of its own bounds along an axis (0: u) as it is within
+  /// them: a share of the last polynomial's span, the less the higher its degree; 0 for all but splines.
+  [[nodiscard]] double runs_on(int axis, int end) const { return runs_on_[axis][end]; }
   [[nodiscard]] const Handle(Geom_Surface) & surface() const { return surface_; }
   [[nodiscard]] const char* kind() const;
 
  private:
   void set_offset(const Geom_OffsetSurface& offset);
+  void set_runs_on();
 
   Handle(Geom_Surface) surface_;
   /// With `derivatives` 3, the third ones go to the place given; surfaces of OCCT's do not give them.
   std::function<SurfaceJet(const Vec2&, int, SurfaceThirds*)> evaluate_;
   bool has_thirds_ = false;
   std::vector<double> u_knots_, v_knots_;  ///< unordered, over one period
-  bool runs_on_ = false;
+  std::array<std::array<double, 2>, 2> runs_on_{};
 };
 
 }  // namespace octet

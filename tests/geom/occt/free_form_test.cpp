@@ -103,6 +103,27 @@ TEST(FreeForm, ALineThroughThePoleOfASphereHitsItOnce) {
   EXPECT_EQ(roots_of(*sphere, {0, 0, -1.5}, {0, 0, 1.5}).size(), 2u);
 }
 
+/// Nothing near a spline's end says what its last polynomial is a hundred of its spans beyond it.
+TEST(FreeForm, ASplineRunsOnByNoMoreThanItsLastSpanTells) {
+  constexpr int kDegree = 9;
+  TColgp_Array2OfPnt poles(0, kDegree, 0, kDegree);
+  for (int i = 0; i <= kDegree; ++i)
+    for (int j = 0; j <= kDegree; ++j) {
+      const double x = i / double(kDegree), y = j / double(kDegree);
+      poles(i, j) = gp_Pnt(x, y, 0.1 * std::sin(3.0 * x) * std::cos(2.0 * y));
+    }
+  const Handle(Geom_BSplineSurface) spline =
+      GeomConvert::SurfaceToBSplineSurface(new Geom_BezierSurface(poles));
+  spline->InsertUKnot(1.0 - 1e-5, 1, 1e-12);
+  spline->InsertVKnot(1e-5, 1, 1e-12);
+  const auto surface = make_free_form(SurfaceJets(spline), UvCell{{0.0, 0.0}, {1.0, 1.0}});
+  const gp_Pnt middle = spline->Value(0.5, 0.5);
+  const auto roots = roots_of(*surface, {middle.X(), middle.Y(), -1.0}, {middle.X(), middle.Y(), 1.0});
+  ASSERT_EQ(roots.size(), 1u);
+  EXPECT_NEAR(-1.0 + 2.0 * roots[0].t, middle.Z(), 1e-12);
+  EXPECT_NEAR((roots[0].uv - Vec2(0.5, 0.5)).norm(), 0.0, 1e-12);
+}
+
 TEST(FreeForm, ProjectionFindsTheFootOnASphere) {
   const auto sphere = nurbs_sphere();
   for (int i = 0; i < 200; ++i) {
