@@ -17,20 +17,22 @@ foreach(room IN LISTS rooms)
   foreach(header IN LISTS headers)
     file(RELATIVE_PATH shown ${PROJECT_SOURCE_DIR} ${room_dir}/${header})
     get_filename_component(folder ${shown} DIRECTORY)
-    install(FILES ${room_dir}/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/octet/${folder})
+    install(FILES ${room_dir}/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/octet/${folder}
+            COMPONENT library)
   endforeach()
 endforeach()
-install(TARGETS ${rooms} octet_whole EXPORT octetTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(TARGETS octet RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(TARGETS octet_reader RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/octet)
-install(EXPORT octetTargets NAMESPACE octet:: DESTINATION ${package_dir})
+install(TARGETS ${rooms} octet_whole EXPORT octetTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+        COMPONENT library)
+install(TARGETS octet RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+install(TARGETS octet_reader RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/octet COMPONENT program)
+install(EXPORT octetTargets NAMESPACE octet:: DESTINATION ${package_dir} COMPONENT library)
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/octetConfig.cmake.in
                               ${PROJECT_BINARY_DIR}/octetConfig.cmake INSTALL_DESTINATION ${package_dir})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/octetConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/octetConfig.cmake ${PROJECT_BINARY_DIR}/octetConfigVersion.cmake
-        DESTINATION ${package_dir})
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+        DESTINATION ${package_dir} COMPONENT library)
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 # The Python package, for PYTHONPATH, and the plug-in for FreeCAD, to be linked into its folder Mod, which uses it.
 # It looks for the program in ../../../bin from its folder.
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/plugins/python ${PROJECT_SOURCE_DIR}/plugins/freecad
-        DESTINATION ${CMAKE_INSTALL_DATADIR}/octet PATTERN __pycache__ EXCLUDE)
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/octet COMPONENT program PATTERN __pycache__ EXCLUDE)

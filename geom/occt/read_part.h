@@ -29,8 +29,8 @@ struct ReadOptions {
   double time_limit = 300.0;     ///< seconds of wall time for all of reading; 0: none
   std::size_t memory_limit = 0;  ///< bytes for the child; 0: half of the machine's memory
   /// The program octet-reader, which reads where a process with several threads cannot fork. Empty: beside
-  /// the running program, in its ../libexec/octet, or where Octet was installed; where none is found, reading
-  /// is not isolated, and a note of the model says so.
+  /// the running program, in its ../libexec/octet, where Octet was installed, or in /usr/libexec/octet; where
+  /// none is found, reading is not isolated, and a note of the model says so.
   std::filesystem::path reader_program;
   bool fuse = true;  ///< solids that touch share faces, edges and vertices; else each keeps its own
   /// Solids that overlap, or miss each other, by no more than this (mm) are taken to touch. 0: what rounding

@@ -63,12 +63,12 @@ fs::path directory_of_program() {
 }
 
 /// The helper where it may be: asked for, in a build tree, in the tree of an installed program, where it was
-/// installed. Empty: nowhere.
+/// installed, where Debian's package has it. Empty: nowhere.
 fs::path find_helper(const ReadOptions& options) {
   if (!options.reader_program.empty()) return options.reader_program;
   const fs::path here = directory_of_program();
-  for (const fs::path& path :
-       {here / "octet-reader", here / "../libexec/octet/octet-reader", fs::path(OCTET_READER)})
+  for (const fs::path& path : {here / "octet-reader", here / "../libexec/octet/octet-reader",
+                               fs::path(OCTET_READER), fs::path("/usr/libexec/octet/octet-reader")})
     if (::access(path.c_str(), X_OK) == 0) return path;
   return {};
 }
