@@ -34,6 +34,7 @@
 
 #include "base/error.h"
 #include "geom/occt/labels.h"
+#include "geom/occt/sphere_faces.h"
 #include "geom/occt/stated_accuracy.h"
 
 namespace octet {
@@ -170,6 +171,20 @@ std::optional<std::string> check_external_files(const STEPCAFControl_Reader& rea
       count, named);
 }
 
+/// InputError where the shape is not what the file has.
+void tell_of_spheres(const KeepSphereFaces& spheres, CadDocument& document) {
+  const auto told = [](const std::vector<gp_Pnt>& places) {
+    const gp_Pnt& p = places.front();
+    return fmt::format(
+        "{} face(s) on spheres, the first at ({:.6g}, {:.6g}, {:.6g}), came out of the CAD kernel's reader "
+        "with "
+        "another part of the sphere than the file's",
+        places.size(), p.X(), p.Y(), p.Z());
+  };
+  if (!spheres.left().empty()) throw InputError(told(spheres.left()) + ", and cannot be made anew");
+  if (!spheres.made().empty()) document.notes.push_back(told(spheres.made()) + ", and were made anew");
+}
+
 CadDocument read_step(const std::filesystem::path& path) {
   require_step_end(path);
   refuse_triangles_alone(path);
@@ -196,7 +211,11 @@ CadDocument read_step(const std::filesystem::path& path) {
   reader.ChangeReader().FileUnits(lengths, angles, solid_angles);
   if (!lengths.IsEmpty()) result.unit = lower(lengths.First().ToCString());
   ScopedDocument document;
-  if (reader.Transfer(document.get())) collect_labels(document.get(), result);
+  {
+    const KeepSphereFaces spheres;
+    if (reader.Transfer(document.get())) collect_labels(document.get(), result);
+    tell_of_spheres(spheres, result);
+  }
   if (std::optional<std::string> note = check_external_files(reader, document.get(), path))
     result.notes.push_back(*std::move(note));
   return result;

@@ -108,9 +108,8 @@ std::optional<double> pole_beyond(const Ring& ring, const Geom_SurfaceOfRevoluti
 }
 
 /// The face between the ring and the pole.
-TopoDS_Face with_pole(const TopoDS_Face& face, const Ring& ring,
-                      const Handle(Geom_SurfaceOfRevolution) & surface, const TopLoc_Location& location,
-                      double pole) {
+TopoDS_Face with_pole(const TopoDS_Face& face, const Ring& ring, const Handle(Geom_Surface) & surface,
+                      const TopLoc_Location& location, double pole) {
   const BRep_Builder builder;
   const double exact = Precision::Confusion();
   const double u_first = ring.first.X(), u_last = ring.last.X(), v = ring.first.Y();
@@ -158,6 +157,13 @@ TopoDS_Face mended(const TopoDS_Face& face) {
 }
 
 }  // namespace
+
+TopoDS_Face carried_to_pole(const TopoDS_Face& face, double pole) {
+  TopLoc_Location location;
+  const Handle(Geom_Surface) surface = BRep_Tool::Surface(face, location);
+  const std::optional<Ring> ring = ring_of(face);
+  return ring ? with_pole(face, *ring, surface, location, pole) : TopoDS_Face();
+}
 
 Repair add_missing_poles(const TopoDS_Shape& solid) {
   Repair result = no_repair(solid);

@@ -2,6 +2,8 @@
 // Faces of revolution that lost their pole.
 #pragma once
 
+#include <TopoDS_Face.hxx>
+
 #include "geom/occt/repair.h"
 
 namespace octet {
@@ -11,5 +13,9 @@ namespace octet {
 /// poles at the ends of a surface's range alone; the meridian of an ogive is a whole circle, which goes on
 /// beyond the axis, and of its face the reader leaves the loop. `entities`: the faces.
 [[nodiscard]] Repair add_missing_poles(const TopoDS_Shape& solid);
+
+/// A FORWARD face whose only loop goes once around, carried on to the pole at v = `pole`, with a seam from
+/// the start of its first edge, along u; null where its loop does not go once around.
+[[nodiscard]] TopoDS_Face carried_to_pole(const TopoDS_Face& face, double pole);
 
 }  // namespace octet
