@@ -34,7 +34,7 @@
 
 #include "base/error.h"
 #include "geom/occt/labels.h"
-#include "geom/occt/sphere_faces.h"
+#include "geom/occt/loop_sides.h"
 #include "geom/occt/stated_accuracy.h"
 
 namespace octet {
@@ -172,17 +172,17 @@ std::optional<std::string> check_external_files(const STEPCAFControl_Reader& rea
 }
 
 /// InputError where the shape is not what the file has.
-void tell_of_spheres(const KeepSphereFaces& spheres, CadDocument& document) {
+void tell_of_sides(const KeepLoopSides& sides, CadDocument& document) {
   const auto told = [](const std::vector<gp_Pnt>& places) {
     const gp_Pnt& p = places.front();
     return fmt::format(
-        "{} face(s) on spheres, the first at ({:.6g}, {:.6g}, {:.6g}), came out of the CAD kernel's reader "
-        "with "
-        "another part of the sphere than the file's",
+        "{} face(s) on spheres or tori, the first at ({:.6g}, {:.6g}, {:.6g}), came out of the CAD kernel's "
+        "reader with "
+        "another part of their surface than the file's",
         places.size(), p.X(), p.Y(), p.Z());
   };
-  if (!spheres.left().empty()) throw InputError(told(spheres.left()) + ", and cannot be made anew");
-  if (!spheres.made().empty()) document.notes.push_back(told(spheres.made()) + ", and were made anew");
+  if (!sides.left().empty()) throw InputError(told(sides.left()) + ", and cannot be made anew");
+  if (!sides.made().empty()) document.notes.push_back(told(sides.made()) + ", and were made anew");
 }
 
 CadDocument read_step(const std::filesystem::path& path) {
@@ -212,9 +212,9 @@ CadDocument read_step(const std::filesystem::path& path) {
   if (!lengths.IsEmpty()) result.unit = lower(lengths.First().ToCString());
   ScopedDocument document;
   {
-    const KeepSphereFaces spheres;
+    const KeepLoopSides sides;
     if (reader.Transfer(document.get())) collect_labels(document.get(), result);
-    tell_of_spheres(spheres, result);
+    tell_of_sides(sides, result);
   }
   if (std::optional<std::string> note = check_external_files(reader, document.get(), path))
     result.notes.push_back(*std::move(note));

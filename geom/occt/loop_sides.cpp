@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What comes out of the reader's repairs against what went in, face by face.
-#include "geom/occt/sphere_faces.h"
+#include "geom/occt/loop_sides.h"
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
-#include <Geom2dAPI_Interpolate.hxx>
-#include <Geom2d_BSplineCurve.hxx>
+#include <Geom2d_Curve.hxx>
 #include <Geom_SphericalSurface.hxx>
+#include <Geom_ToroidalSurface.hxx>
 #include <Message_ProgressRange.hxx>
 #include <Precision.hxx>
 #include <ShapeBuild_ReShape.hxx>
 #include <ShapeProcess_ShapeContext.hxx>
 #include <Standard_Version.hxx>
-#include <TColStd_HArray1OfReal.hxx>
-#include <TColgp_HArray1OfPnt2d.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopLoc_Location.hxx>
@@ -36,17 +34,18 @@
 #include <optional>
 
 #include "geom/occt/canonical.h"
+#include "geom/occt/holed_torus.h"
 #include "geom/occt/loose_curves.h"
 #include "geom/occt/missing_poles.h"
 #include "geom/occt/shape_measures.h"
 #include "geom/occt/sphere_loops.h"
 #include "geom/occt/sub_shapes.h"
+#include "geom/occt/unrolled_loops.h"
 
 namespace octet {
 namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
-constexpr int kPieces = 48;  // of an edge
 
 struct Ball {
   gp_Sphere sphere;
@@ -59,26 +58,21 @@ std::optional<Ball> ball_of(const TopoDS_Face& face) {
   return Ball{surface->Sphere(), surface->Sphere().Direct()};
 }
 
-/// Places along the edge as it is turned, both ends included.
-std::vector<Vec3> places(const TopoDS_Edge& edge) {
-  const BRepAdaptor_Curve curve(edge);
-  std::vector<Vec3> at;
-  for (int i = 0; i <= kPieces; ++i) {
-    const double t = curve.FirstParameter() + (curve.LastParameter() - curve.FirstParameter()) * i / kPieces;
-    at.push_back(to_vec(curve.Value(t)));
-  }
-  if (edge.Orientation() == TopAbs_REVERSED) std::reverse(at.begin(), at.end());
-  return at;
-}
-
 /// Whether an edge runs the same way as another that it lies on.
 bool runs_along(const TopoDS_Edge& piece, const TopoDS_Edge& whole) {
-  const std::vector<Vec3> a = places(piece), b = places(whole);
-  const Vec3 &middle = a[kPieces / 2], on = a[kPieces / 2 + 1] - a[kPieces / 2 - 1];
+  const std::vector<Vec3> a = places_along(piece), b = places_along(whole);
+  const std::size_t half = a.size() / 2;
+  const Vec3 &middle = a[half], on = a[half + 1] - a[half - 1];
   std::size_t nearest = 1;
   for (std::size_t i = 1; i + 1 < b.size(); ++i)
     if ((b[i] - middle).squaredNorm() < (b[nearest] - middle).squaredNorm()) nearest = i;
   return on.dot(b[nearest + 1] - b[nearest - 1]) > 0.0;
+}
+
+std::optional<gp_Torus> torus_of(const TopoDS_Face& face) {
+  const auto surface = Handle(Geom_ToroidalSurface)::DownCast(BRep_Tool::Surface(face));
+  if (surface.IsNull()) return {};
+  return surface->Torus();
 }
 
 bool has_curve(const TopoDS_Edge& edge) {
@@ -157,17 +151,26 @@ std::vector<SphereLoop> chained(std::vector<SphereSide> sides) {
   return loops;
 }
 
+/// The edges of a face's border, in those that `images` has for them, with the face to the left seen from
+/// where its normal points, or from the other side.
+std::vector<TopoDS_Edge> border_in(const TopoDS_Face& raw, bool outward, const Images& images) {
+  std::vector<TopoDS_Edge> border;
+  for (const TopoDS_Edge& edge : border_of(raw)) {
+    if (edge.Orientation() > TopAbs_REVERSED || !has_curve(edge)) return {};
+    const std::vector<TopoDS_Edge> made = made_of(outward ? edge : TopoDS::Edge(edge.Reversed()), images);
+    border.insert(border.end(), made.begin(), made.end());
+  }
+  return border;
+}
+
 /// What the file says bounds a face, in the edges that `images` has for its own, with the face to the left
 /// seen from outside; empty where that cannot be told.
 std::vector<SphereLoop> loops_in_file(const TopoDS_Face& raw, const Ball& ball, const Images& images) {
   std::vector<SphereSide> sides;
   const Vec3 centre = to_vec(ball.sphere.Location());
-  for (const TopoDS_Edge& edge : border_of(raw)) {
-    if (edge.Orientation() > TopAbs_REVERSED || !has_curve(edge)) return {};
-    for (const TopoDS_Edge& side : made_of(ball.outward ? edge : TopoDS::Edge(edge.Reversed()), images)) {
-      SphereSide& added = sides.emplace_back(SphereSide{side, places(side)});
-      for (Vec3& at : added.at) at = (at - centre).normalized();
-    }
+  for (const TopoDS_Edge& edge : border_in(raw, ball.outward, images)) {
+    sides.push_back({edge, places_along(edge)});
+    for (Vec3& at : sides.back().at) at = (at - centre).normalized();
   }
   return chained(std::move(sides));
 }
@@ -192,6 +195,12 @@ Way way_of(const TopoDS_Face& raw, const TopoDS_Face& read, const Images& images
   }
   if ((alike > 0) == (against > 0)) return Way::kUnknown;
   return alike > 0 ? Way::kAlike : Way::kAgainst;
+}
+
+/// Whether the border of what was made of a face runs the other way.
+bool is_turned(const TopoDS_Face& raw, const TopoDS_Shape& read, const Images& images) {
+  return read.ShapeType() == TopAbs_FACE &&
+         way_of(raw, TopoDS::Face(read.Oriented(TopAbs_FORWARD)), images) == Way::kAgainst;
 }
 
 /// Whether the curves of a face in (u,v) take more than a turn, so that some are a turn off.
@@ -225,7 +234,7 @@ bool is_wrong(const Wrong& face, const Images& images) {
   if (face.read.ShapeType() == TopAbs_FACE) {
     const TopoDS_Face read = TopoDS::Face(face.read.Oriented(TopAbs_FORWARD));
     closed = closed || has_seam_or_pole(read);
-    turned = way_of(face.raw, read, images) == Way::kAgainst || is_spread(read);
+    turned = is_turned(face.raw, read, images) || is_spread(read);
   }
   if (!closed && !turned) return false;
   const double told = area_between(loops_in_file(face.raw, face.ball, {})), whole = 2.0 * kTurn;
@@ -234,68 +243,24 @@ bool is_wrong(const Wrong& face, const Images& images) {
   return turned || std::abs(is - told) > kShare * std::min(told, whole - told) + kLeast;
 }
 
-/// Curves of edges in the (u,v) of a new sphere.
-class Unrolled {
- public:
-  Unrolled(const Ball& ball, const SphereFrame& frame, double tolerance)
-      : centre_(ball.sphere.Location()), frame_(frame), tolerance_(tolerance) {
-    const gp_Ax3 axes(centre_, gp_Dir(frame.up.x(), frame.up.y(), frame.up.z()),
-                      gp_Dir(frame.across.x(), frame.across.y(), frame.across.z()));
-    surface_ = new Geom_SphericalSurface(axes, ball.sphere.Radius());
-  }
-  [[nodiscard]] const Handle(Geom_SphericalSurface) & surface() const { return surface_; }
+/// The sphere in a frame.
+Unrolling unrolling_of(const Ball& ball, const SphereFrame& frame) {
+  const gp_Pnt centre = ball.sphere.Location();
+  const gp_Ax3 axes(centre, gp_Dir(frame.up.x(), frame.up.y(), frame.up.z()),
+                    gp_Dir(frame.across.x(), frame.across.y(), frame.across.z()));
+  return {new Geom_SphericalSurface(axes, ball.sphere.Radius()), [centre, frame](const gp_Pnt& p) {
+            const Vec3 d = to_vec(gp_Vec(centre, p)).normalized(), y = frame.up.cross(frame.across);
+            return gp_Pnt2d(std::atan2(d.dot(y), d.dot(frame.across)),
+                            std::asin(std::clamp(d.dot(frame.up), -1.0, 1.0)));
+          }};
+}
 
-  /// A loop in order from a side on, its u going on from `u`, by whole turns where it is no ring.
-  [[nodiscard]] TopoDS_Wire wire(const SphereLoop& loop, std::size_t start, double u) const {
-    const BRep_Builder builder;
-    TopoDS_Wire made;
-    builder.MakeWire(made);
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      const TopoDS_Edge& edge = loop[(start + i) % loop.size()].edge;
-      u = add_curve(edge, u);
-      builder.Add(made, edge);
-    }
-    made.Closed(true);
-    return made;
-  }
-
- private:
-  [[nodiscard]] gp_Pnt2d at(const gp_Pnt& p) const {
-    const Vec3 d = to_vec(gp_Vec(centre_, p)).normalized();
-    const Vec3 y = frame_.up.cross(frame_.across);
-    return {std::atan2(d.dot(y), d.dot(frame_.across)), std::asin(std::clamp(d.dot(frame_.up), -1.0, 1.0))};
-  }
-
-  /// Begins beside `u`; where it ends.
-  double add_curve(const TopoDS_Edge& edge, double u) const {
-    const BRepAdaptor_Curve curve(TopoDS::Edge(edge.Oriented(TopAbs_FORWARD)));
-    const double first = curve.FirstParameter(), last = curve.LastParameter();
-    const bool forward = edge.Orientation() == TopAbs_FORWARD;
-    const Handle(TColgp_HArray1OfPnt2d) points = new TColgp_HArray1OfPnt2d(1, kPieces + 1);
-    const Handle(TColStd_HArray1OfReal) parameters = new TColStd_HArray1OfReal(1, kPieces + 1);
-    for (int i = 0; i <= kPieces; ++i) {
-      const int k = forward ? i : kPieces - i;
-      const double t = first + (last - first) * k / kPieces;
-      gp_Pnt2d place = at(curve.Value(t));
-      place.SetX(u + std::remainder(place.X() - u, kTurn));
-      u = place.X();
-      points->SetValue(k + 1, place);
-      parameters->SetValue(k + 1, t);
-    }
-    Geom2dAPI_Interpolate fit(points, parameters, false, Precision::PConfusion());
-    fit.Perform();
-    if (!fit.IsDone()) throw Standard_Failure("the curve of an edge on a sphere cannot be interpolated");
-    const BRep_Builder builder;
-    builder.UpdateEdge(edge, fit.Curve(), surface_, TopLoc_Location(), tolerance_);
-    builder.Range(edge, surface_, TopLoc_Location(), first, last);
-    return u;
-  }
-
-  gp_Pnt centre_;
-  SphereFrame frame_;
-  double tolerance_;
-  Handle(Geom_SphericalSurface) surface_;
-};
+/// The loop's edges from a side on.
+std::vector<TopoDS_Edge> edges_from(const SphereLoop& loop, std::size_t start) {
+  std::vector<TopoDS_Edge> edges;
+  for (std::size_t i = 0; i < loop.size(); ++i) edges.push_back(loop[(start + i) % loop.size()].edge);
+  return edges;
+}
 
 /// The part of the sphere that the loops bound, its normal outward; null where there are none, or no frame is
 /// clear of them. Standard_Failure where a curve cannot be interpolated.
@@ -304,26 +269,32 @@ TopoDS_Face bounded(const Ball& ball, const std::vector<SphereLoop>& loops) {
   if (loops.empty() || !frame) return {};
   const double tolerance = Precision::Confusion();
   constexpr double kQuarter = 0.25 * kTurn;
-  const Unrolled unrolled(ball, *frame, tolerance);
+  const Unrolling on = unrolling_of(ball, *frame);
   const BRep_Builder builder;
   TopoDS_Face made;
   if (frame->ring < 0) {
-    made = BRepBuilderAPI_MakeFace(unrolled.surface(), 0.0, kTurn, -kQuarter, kQuarter, tolerance).Face();
+    made = BRepBuilderAPI_MakeFace(on.surface, 0.0, kTurn, -kQuarter, kQuarter, tolerance).Face();
   } else {
-    builder.MakeFace(made, unrolled.surface(), tolerance);
-    builder.Add(made, unrolled.wire(loops[static_cast<std::size_t>(frame->ring)], frame->start, kTurn));
+    builder.MakeFace(made, on.surface, tolerance);
+    builder.Add(made,
+                unrolled_wire(on, edges_from(loops[static_cast<std::size_t>(frame->ring)], frame->start),
+                              gp_Pnt2d(kTurn, 0.0)));
     made = carried_to_pole(made, -kQuarter);
     if (made.IsNull()) return {};
   }
   for (std::size_t j = 0; j < loops.size(); ++j)
-    if (static_cast<int>(j) != frame->ring) builder.Add(made, unrolled.wire(loops[j], 0, 0.5 * kTurn));
+    if (static_cast<int>(j) != frame->ring)
+      builder.Add(made, unrolled_wire(on, edges_from(loops[j], 0), gp_Pnt2d(0.5 * kTurn, 0.0)));
   for (const TopoDS_Edge& edge : border_of(made)) fit_curve(edge, made);
   return made;
 }
 
-TopoDS_Face bounded_or_none(const Ball& ball, const std::vector<SphereLoop>& loops) {
+/// The face that the file has, in the reader's edges, its normal outward; null where it cannot be made.
+TopoDS_Face made_anew(const TopoDS_Face& raw, const std::optional<Ball>& ball,
+                      const std::optional<gp_Torus>& torus, const Images& images) {
   try {
-    return bounded(ball, loops);
+    return ball ? bounded(*ball, loops_in_file(raw, *ball, images))
+                : holed_torus(*torus, border_in(raw, torus->Direct(), images));
   } catch (const Standard_Failure&) {
     return {};
   }
@@ -366,7 +337,7 @@ gp_Pnt place_on(const TopoDS_Face& raw) {
 
 }  // namespace
 
-struct KeepSphereFaces::Hook : public XSAlgo_AlgoContainer {
+struct KeepLoopSides::Hook : public XSAlgo_AlgoContainer {
   mutable std::vector<gp_Pnt> made, left;
 
 #if OCC_VERSION_HEX >= 0x070700
@@ -416,17 +387,18 @@ struct KeepSphereFaces::Hook : public XSAlgo_AlgoContainer {
     for (int f = 1; f <= raw_faces.Extent(); ++f) {
       const TopoDS_Face raw = TopoDS::Face(raw_faces(f).Oriented(TopAbs_FORWARD));
       const std::optional<Ball> ball = ball_of(raw);
+      const std::optional<gp_Torus> torus = torus_of(raw);
       const TopoDS_Shape now = images.IsBound(raw) ? images.Find(raw) : raw;
-      if (!ball || now.IsNull() || !raw.Location().IsIdentity()) continue;
-      if (!is_wrong({raw, now, *ball}, images)) continue;
+      if ((!ball && !torus) || now.IsNull() || !raw.Location().IsIdentity()) continue;
+      if (ball ? !is_wrong({raw, now, *ball}, images) : !is_turned(raw, now, images)) continue;
       if (faces_of.IsEmpty()) TopExp::MapShapesAndAncestors(shape, TopAbs_EDGE, TopAbs_FACE, faces_of);
       if (!agrees(raw, faces_of)) continue;
       const int place = now.ShapeType() == TopAbs_FACE ? read_faces.FindIndex(now) : 0;
-      const TopoDS_Face right =
-          place > 0 ? bounded_or_none(*ball, loops_in_file(raw, *ball, images)) : TopoDS_Face();
+      const TopoDS_Face right = place > 0 ? made_anew(raw, ball, torus, images) : TopoDS_Face();
       (right.IsNull() ? left : made).push_back(place_on(raw));
       if (right.IsNull()) continue;
-      const bool outward = (raw_faces(f).Orientation() == TopAbs_FORWARD) == ball->outward;
+      const bool direct = ball ? ball->outward : torus->Direct();
+      const bool outward = (raw_faces(f).Orientation() == TopAbs_FORWARD) == direct;
       const bool as_read = (read_faces(place).Orientation() == TopAbs_FORWARD) == outward;
       changes.Replace(now.Oriented(TopAbs_FORWARD),
                       right.Oriented(as_read ? TopAbs_FORWARD : TopAbs_REVERSED));
@@ -449,15 +421,13 @@ struct KeepSphereFaces::Hook : public XSAlgo_AlgoContainer {
   }
 };
 
-KeepSphereFaces::KeepSphereFaces() : hook_(new Hook), before_(XSAlgo::AlgoContainer()) {
+KeepLoopSides::KeepLoopSides() : hook_(new Hook), before_(XSAlgo::AlgoContainer()) {
   XSAlgo::SetAlgoContainer(hook_);
 }
 
-KeepSphereFaces::~KeepSphereFaces() {
-  XSAlgo::SetAlgoContainer(Handle(XSAlgo_AlgoContainer)::DownCast(before_));
-}
+KeepLoopSides::~KeepLoopSides() { XSAlgo::SetAlgoContainer(Handle(XSAlgo_AlgoContainer)::DownCast(before_)); }
 
-const std::vector<gp_Pnt>& KeepSphereFaces::made() const { return hook_->made; }
-const std::vector<gp_Pnt>& KeepSphereFaces::left() const { return hook_->left; }
+const std::vector<gp_Pnt>& KeepLoopSides::made() const { return hook_->made; }
+const std::vector<gp_Pnt>& KeepLoopSides::left() const { return hook_->left; }
 
 }  // namespace octet
