@@ -99,6 +99,14 @@ class Refiner {
       if (!split_all()) return;
   }
 
+  /// Where there is no room for more points: how far the surface is at most from the middle of a triangle.
+  [[nodiscard]] double off() const {
+    double off = 0.0;
+    if (full())
+      for (const auto& triangle : plane_.triangles) off = std::max(off, centre_distance(triangle.corner));
+    return off;
+  }
+
   [[nodiscard]] std::vector<Vec3> inner_points() const {
     return {position_.begin() + static_cast<std::ptrdiff_t>(given_), position_.end()};
   }
@@ -131,10 +139,9 @@ class Refiner {
     return false;
   }
 
-  [[nodiscard]] bool centre_too_far(const std::array<std::uint32_t, 3>& c) const {
+  [[nodiscard]] double centre_distance(const std::array<std::uint32_t, 3>& c) const {
     const Vec3 p = surface_(uv((plane_.points[c[0]] + plane_.points[c[1]] + plane_.points[c[2]]) / 3.0), 0).p;
-    return closest_on_triangle(p, position_[c[0]], position_[c[1]], position_[c[2]]).distance >
-           limits_.deflection;
+    return closest_on_triangle(p, position_[c[0]], position_[c[1]], position_[c[2]]).distance;
   }
 
   /// One pass over the sides and triangles there are; false: nothing was split.
@@ -166,7 +173,7 @@ class Refiner {
         return true;
       }
     }
-    if (!centre_too_far(plane_.triangles[t].corner)) {
+    if (centre_distance(plane_.triangles[t].corner) <= limits_.deflection) {
       if (!any_coarse) fine_[t] = plane_.triangles[t].corner;
       return false;
     }
@@ -225,6 +232,7 @@ FaceFacets facet_face(const SurfaceJets& surface, bool planar, const FaceLoops& 
   if (plane.triangles.empty()) return result;
   Refiner refiner(surface, plane, scale, limits);
   if (!planar) refiner.run();
+  result.off = refiner.off();
   result.uv = loops.uv;
   for (std::size_t i = loops.uv.size(); i < plane.points.size(); ++i)
     result.uv.push_back(plane.points[i].cwiseQuotient(scale));

@@ -30,6 +30,8 @@ struct FaceFacets {
   std::vector<Vec2> uv;     ///< the boundary points as given, then those inside
   std::vector<Vec3> inner;  ///< points of the surface for uv[boundary size + i]
   std::vector<std::array<std::uint32_t, 3>> triangles;
+  /// Where max_points was reached: how far the surface is at most from the middle of a facet; else 0.
+  double off = 0.0;
 };
 
 /// Every side of every loop is a side of one facet, in the loop's direction, and all others join two facets:

@@ -292,6 +292,12 @@ void triangulate_boundary(const Numbering& numbering, const ModelParts& parts,
     if (made.triangles.empty())
       throw ModelError(fmt::format("Face {} cannot be triangulated: nothing is inside its loops", tag),
                        model_face(tag));
+    // Where the triangles fold, no number of points brings them near.
+    constexpr double kMuch = 4.0;
+    if (made.off > kMuch * limits.deflection)
+      throw ModelError(fmt::format("Face {} lies up to {:.3g} mm off its triangles, with {} points inside it",
+                                   tag, made.off, made.inner.size()),
+                       model_face(tag));
     FaceWriter(numbering, parts, tag).write(polygons, made);
   }
 }

@@ -7,6 +7,7 @@
 #include <map>
 #include <numbers>
 
+#include "geom/facet_bvh.h"
 #include "geom/planar_triangulation.h"
 #include "geom/quadrics.h"
 
@@ -261,6 +262,27 @@ TEST(FaceFacets, PutPointsInsideASphereOfOneCoarseLoop) {
   expect_closed(loops, facets.triangles);
   EXPECT_GT(facets.inner.size(), 50u);
   for (const Vec3& p : facets.inner) EXPECT_NEAR(p.norm(), 1.0, 1e-12);
+}
+
+TEST(FaceFacets, SayHowFarOffTheyAreWhereThereIsNoRoomForMore) {
+  const auto surface = make_sphere(Axes3{}, 1.0);
+  FaceLoops loops;
+  add_loop(loops, {{0, 0}, {kPi / 2, 0}, {kPi, 0}, {kPi, 1.2}, {kPi / 2, 1.2}, {0, 1.2}});
+  FacetLimits limits;
+  limits.deflection = 0.002;
+  EXPECT_EQ(facet_face(jets_of(*surface), false, loops, limits).off, 0.0);
+  limits.max_points = 5;
+  const FaceFacets few = facet_face(jets_of(*surface), false, loops, limits);
+  EXPECT_EQ(few.inner.size(), 5u);
+  double off = 0.0;
+  for (const auto& t : few.triangles) {
+    const Vec2 middle = (few.uv[t[0]] + few.uv[t[1]] + few.uv[t[2]]) / 3.0;
+    const auto corner = [&](int k) { return surface->evaluate(few.uv[t[k]], 0).p; };
+    off = std::max(
+        off, closest_on_triangle(surface->evaluate(middle, 0).p, corner(0), corner(1), corner(2)).distance);
+  }
+  EXPECT_NEAR(few.off, off, 1e-12);
+  EXPECT_GT(few.off, 10.0 * limits.deflection);
 }
 
 }  // namespace
