@@ -6,6 +6,7 @@
 
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
 #include <IGESCAFControl_Reader.hxx>
 #include <IGESControl_Controller.hxx>
 #include <IGESData_IGESModel.hxx>
@@ -22,6 +23,7 @@
 #include <TDF_LabelSequence.hxx>
 #include <TDocStd_Document.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
 #include <XCAFApp_Application.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
@@ -36,6 +38,7 @@
 #include "geom/occt/labels.h"
 #include "geom/occt/loop_sides.h"
 #include "geom/occt/stated_accuracy.h"
+#include "geom/occt/sub_shapes.h"
 
 namespace octet {
 namespace {
@@ -171,15 +174,26 @@ std::optional<std::string> check_external_files(const STEPCAFControl_Reader& rea
       count, named);
 }
 
+/// The number of a face or of the first of its parts, wherever it is placed, and a place on it.
+std::string face_in(const TopoDS_Shape& shape, const TopoDS_Shape& face) {
+  const TopTools_IndexedMapOfShape parts = sub_shapes(face, TopAbs_FACE),
+                                   all = sub_shapes(shape, TopAbs_FACE);
+  for (int f = 1; f <= all.Extent(); ++f)
+    for (int part = 1; part <= parts.Extent(); ++part) {
+      if (!all(f).IsPartner(parts(part))) continue;
+      const gp_Pnt p = BRep_Tool::Pnt(TopoDS::Vertex(TopExp_Explorer(all(f), TopAbs_VERTEX).Current()));
+      return fmt::format("Face {} at ({:.6g}, {:.6g}, {:.6g})", f, p.X(), p.Y(), p.Z());
+    }
+  return "a face that is gone";
+}
+
 /// InputError where the shape is not what the file has.
 void tell_of_sides(const KeepLoopSides& sides, CadDocument& document) {
-  const auto told = [](const std::vector<gp_Pnt>& places) {
-    const gp_Pnt& p = places.front();
+  const auto told = [&](const std::vector<TopoDS_Shape>& faces) {
     return fmt::format(
-        "{} face(s) on spheres or tori, the first at ({:.6g}, {:.6g}, {:.6g}), came out of the CAD kernel's "
-        "reader with "
+        "{} face(s) on spheres or tori, the first is {}, came out of the CAD kernel's reader with "
         "another part of their surface than the file's",
-        places.size(), p.X(), p.Y(), p.Z());
+        faces.size(), face_in(document.shape, faces.front()));
   };
   if (!sides.left().empty()) throw InputError(told(sides.left()) + ", and cannot be made anew");
   if (!sides.made().empty()) document.notes.push_back(told(sides.made()) + ", and were made anew");

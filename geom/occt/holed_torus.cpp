@@ -7,15 +7,12 @@
 #include <ElSLib.hxx>
 #include <Geom_ToroidalSurface.hxx>
 #include <Precision.hxx>
-#include <TopExp.hxx>
-#include <TopoDS.hxx>
-#include <TopoDS_Vertex.hxx>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
 
+#include "geom/occt/edge_loops.h"
 #include "geom/occt/loose_curves.h"
 #include "geom/occt/unrolled_loops.h"
 
@@ -24,29 +21,19 @@ namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
-using Loop = std::vector<TopoDS_Edge>;
-
-/// Closed chains; empty where they are none, or meet.
-std::vector<Loop> chained(std::vector<TopoDS_Edge> edges) {
-  std::vector<Loop> loops;
-  while (!edges.empty()) {
-    Loop loop{edges.back()};
-    edges.pop_back();
-    const TopoDS_Vertex start = TopExp::FirstVertex(loop.front(), true);
-    for (;;) {
-      const TopoDS_Vertex end = TopExp::LastVertex(loop.back(), true);
-      const auto follows = [&](const TopoDS_Edge& edge) {
-        return TopExp::FirstVertex(edge, true).IsSame(end);
-      };
-      const auto next = std::find_if(edges.begin(), edges.end(), follows);
-      if (end.IsSame(start) != (next == edges.end())) return {};
-      if (next == edges.end()) break;
-      loop.push_back(*next);
-      edges.erase(next);
-    }
-    loops.push_back(loop);
+/// The loops of a border, each turned as its edges are; empty where they do not all close.
+std::vector<EdgeLoop> loops_of(const std::vector<TopoDS_Edge>& border) {
+  std::vector<EdgeLoop> loops = edge_loops(border);
+  std::size_t edges = 0;
+  for (EdgeLoop& loop : loops) {
+    edges += loop.size();
+    const auto given = std::find_if(border.begin(), border.end(),
+                                    [&](const TopoDS_Edge& edge) { return edge.IsSame(loop.front()); });
+    if (given->Orientation() == loop.front().Orientation()) continue;
+    std::reverse(loop.begin(), loop.end());
+    for (TopoDS_Edge& edge : loop) edge.Reverse();
   }
-  return loops;
+  return edges == border.size() ? loops : std::vector<EdgeLoop>();
 }
 
 /// Middle of the widest part of a turn that no place lies in. None where that is narrow.
@@ -86,12 +73,12 @@ bool is_hole(const std::vector<gp_Pnt2d>& places) {
 
 }  // namespace
 
-TopoDS_Face holed_torus(const gp_Torus& torus, std::vector<TopoDS_Edge> border) {
-  const std::vector<Loop> loops = chained(std::move(border));
+TopoDS_Face holed_torus(const gp_Torus& torus, const std::vector<TopoDS_Edge>& border) {
+  const std::vector<EdgeLoop> loops = loops_of(border);
   if (loops.empty() || !torus.Direct()) return {};
   const Unrolling old = unrolling_of(torus);
   std::vector<double> u, v;
-  for (const Loop& loop : loops) {
+  for (const EdgeLoop& loop : loops) {
     const std::vector<gp_Pnt2d> places = unrolled(old, loop, gp_Pnt2d());
     if (!is_hole(places)) return {};
     constexpr int kBetween = 16;
@@ -110,7 +97,7 @@ TopoDS_Face holed_torus(const gp_Torus& torus, std::vector<TopoDS_Edge> border) 
   TopoDS_Face made =
       BRepBuilderAPI_MakeFace(on.surface, 0.0, kTurn, *v_cut, *v_cut + kTurn, Precision::Confusion()).Face();
   const BRep_Builder builder;
-  for (const Loop& loop : loops) {
+  for (const EdgeLoop& loop : loops) {
     builder.Add(made, unrolled_wire(on, loop, gp_Pnt2d(0.5 * kTurn, *v_cut + 0.5 * kTurn)));
     for (const TopoDS_Edge& edge : loop) fit_curve(edge, made);
   }

@@ -330,15 +330,10 @@ TopoDS_Face copy_of(const TopoDS_Face& face) {
   return copy;
 }
 
-gp_Pnt place_on(const TopoDS_Face& raw) {
-  const BRepAdaptor_Curve curve(border_of(raw).front());
-  return curve.Value(0.5 * (curve.FirstParameter() + curve.LastParameter()));
-}
-
 }  // namespace
 
 struct KeepLoopSides::Hook : public XSAlgo_AlgoContainer {
-  mutable std::vector<gp_Pnt> made, left;
+  mutable std::vector<TopoDS_Shape> made, left;
 
 #if OCC_VERSION_HEX >= 0x070700
   TopoDS_Shape ProcessShape(const TopoDS_Shape& shape, const Standard_Real precision,
@@ -395,8 +390,11 @@ struct KeepLoopSides::Hook : public XSAlgo_AlgoContainer {
       if (!agrees(raw, faces_of)) continue;
       const int place = now.ShapeType() == TopAbs_FACE ? read_faces.FindIndex(now) : 0;
       const TopoDS_Face right = place > 0 ? made_anew(raw, ball, torus, images) : TopoDS_Face();
-      (right.IsNull() ? left : made).push_back(place_on(raw));
-      if (right.IsNull()) continue;
+      if (right.IsNull()) {
+        left.push_back(now);
+        continue;
+      }
+      made.push_back(right);
       const bool direct = ball ? ball->outward : torus->Direct();
       const bool outward = (raw_faces(f).Orientation() == TopAbs_FORWARD) == direct;
       const bool as_read = (read_faces(place).Orientation() == TopAbs_FORWARD) == outward;
@@ -427,7 +425,7 @@ KeepLoopSides::KeepLoopSides() : hook_(new Hook), before_(XSAlgo::AlgoContainer(
 
 KeepLoopSides::~KeepLoopSides() { XSAlgo::SetAlgoContainer(Handle(XSAlgo_AlgoContainer)::DownCast(before_)); }
 
-const std::vector<gp_Pnt>& KeepLoopSides::made() const { return hook_->made; }
-const std::vector<gp_Pnt>& KeepLoopSides::left() const { return hook_->left; }
+const std::vector<TopoDS_Shape>& KeepLoopSides::made() const { return hook_->made; }
+const std::vector<TopoDS_Shape>& KeepLoopSides::left() const { return hook_->left; }
 
 }  // namespace octet

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <Standard_Transient.hxx>
-#include <gp_Pnt.hxx>
+#include <TopoDS_Shape.hxx>
 
 #include <vector>
 
@@ -25,10 +25,10 @@ class KeepLoopSides {
   KeepLoopSides(const KeepLoopSides&) = delete;
   KeepLoopSides& operator=(const KeepLoopSides&) = delete;
 
-  /// A place on each face that was made anew, mm.
-  [[nodiscard]] const std::vector<gp_Pnt>& made() const;
-  /// A place on each face that is not what the file has, and could not be made anew.
-  [[nodiscard]] const std::vector<gp_Pnt>& left() const;
+  /// Faces that were made anew, as they came out of the reader in the end.
+  [[nodiscard]] const std::vector<TopoDS_Shape>& made() const;
+  /// Those that are not what the file has, and could not be made anew.
+  [[nodiscard]] const std::vector<TopoDS_Shape>& left() const;
 
  private:
   struct Hook;
