@@ -110,6 +110,8 @@ void append_report(const Model& body, const MeshReport& part, MeshReport& report
   }
 }
 
+bool is_outside(const ModelFace& face) { return face.region[0] == 0 && face.region[1] == 0; }
+
 Fault not_meshed(const Model& model, int face) {
   Fault fault;
   fault.entity = model_face(face);
@@ -118,10 +120,8 @@ Fault not_meshed(const Model& model, int face) {
   if (triangle < static_cast<std::ptrdiff_t>(facets.face.size()))
     for (const std::uint32_t node : facets.triangles[static_cast<std::size_t>(triangle)])
       fault.place += facets.nodes[node] / 3.0;
-  fault.cause = model.describe(fault.entity) + " lies within " +
-                model.describe(model_region(model.face(face).region[0])) +
-                " and bounds nothing: faces embedded in a solid are not meshed";
-  fault.advice = "split the solid along the face, or remove the face";
+  fault.cause = model.describe(fault.entity) + " lies outside of all solids and is not meshed";
+  fault.advice = "remove the face, or close the solid that it belongs to";
   return fault;
 }
 
@@ -245,7 +245,7 @@ std::vector<std::vector<SizeAttribute>> attributes_of(const Model& model, const 
 bool is_meshed_apart(const Model& model) {
   if (model.parts().apart) return true;
   for (int f = 1; f <= model.count(2); ++f)
-    if (model.face(f).region[0] == model.face(f).region[1]) return true;
+    if (is_outside(model.face(f))) return true;
   return false;
 }
 
@@ -270,7 +270,7 @@ MeshResult mesh_apart(const Model& model, const MeshOptions& options, Observer& 
   }
   whole.report.quality = quality_summary(whole.mesh);
   for (int f = 1; f <= model.count(2); ++f)
-    if (model.face(f).region[0] == model.face(f).region[1])
+    if (is_outside(model.face(f)))
       whole.report.faults.push_back(not_meshed(model, f));
   if (!whole.report.faults.empty()) whole.report.status = MeshStatus::kIncomplete;
   return whole;

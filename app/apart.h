@@ -8,11 +8,11 @@ namespace octet {
 
 /// As mesh_part(), body by body: solids that touch or overlap without sharing faces get meshes of their own,
 /// which do not fit where the solids meet. The size, where it is to be chosen, is one for all. A claim holds
-/// when it holds for every body. Faces that bound nothing are not meshed; each is a fault of the report.
+/// when it holds for every body. Faces outside of all regions are not meshed; each is a fault of the report.
 [[nodiscard]] MeshResult mesh_apart(const Model& model, const MeshOptions& options, Observer& observer);
 
 /// Whether mesh_part() meshes body by body: where bodies may touch though they share nothing
-/// (ModelParts::apart), or faces bound nothing.
+/// (ModelParts::apart), or faces lie outside of all regions.
 [[nodiscard]] bool is_meshed_apart(const Model& model);
 
 /// As accept_mesh(), body by body: for a mesh that mesh_apart() made.

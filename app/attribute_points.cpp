@@ -235,7 +235,7 @@ class AttributeLoop {
   }
 
   [[nodiscard]] bool is_facet(TetId t, int local) const {
-    return band_.region(t) != band_.region(mesh().neighbours[t][local]);
+    return band_.is_facet(mesh(), t, static_cast<std::int8_t>(local));
   }
 
   /// Whether the CAD tells the halves of a piece apart: splitting on below its tolerance mends no fan.

@@ -214,6 +214,7 @@ std::string part_info_json(const std::string& part, const Model& model, const Pa
                           {"tag", info.widest_gap.tag},
                           {"gap", model.tolerance_of(info.widest_gap)}};
   json["pinched_vertices"] = info.contact.vertices;
+  json["embedded_faces"] = info.embedded_faces;
   json["dangling_faces"] = info.dangling_faces;
   json["notes"] = model.notes();
   json["tree"] = tree_json(model);

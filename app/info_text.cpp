@@ -165,6 +165,8 @@ std::string fault_summary(const Model& model, const PartInfo& info) {
   if (!info.contact.vertices.empty())
     text += fmt::format("  pinched vertices {} (the boundary touches itself)\n",
                         tag_list("Vertex", info.contact.vertices));
+  if (!info.embedded_faces.empty())
+    text += fmt::format("  embedded faces   {}\n", tag_list("Face", info.embedded_faces));
   if (!info.dangling_faces.empty())
     text += fmt::format("  dangling faces   {}\n", tag_list("Face", info.dangling_faces));
   return text.empty() ? "  faults   none: every face bounds a region, every edge joins faces\n" : text;

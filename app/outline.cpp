@@ -82,6 +82,7 @@ OutlineEntity outline_region(const Model& model, int tag, const std::vector<Box3
   entity.material = region.material;
   for (const int f : region.faces) {
     entity.box.add(boxes[static_cast<std::size_t>(f)]);
+    if (model.is_embedded(f)) continue;
     // The face normal points from region[0] to region[1]: outwards for the region behind it.
     entity.bounded_by.push_back(model.face(f).region[0] == tag ? f : -f);
   }

@@ -15,7 +15,8 @@ namespace {
 std::vector<int> edge_uses(const Model& model) {
   std::vector<int> uses(static_cast<std::size_t>(model.count(1)) + 1, 0);
   for (int f = 1; f <= model.count(2); ++f)
-    for (const FaceBoundary& side : model.face(f).boundary) ++uses[static_cast<std::size_t>(side.edge)];
+    for (const FaceBoundary& side : model.face(f).boundary)
+      uses[static_cast<std::size_t>(side.edge)] += model.is_embedded(f) ? 2 : 1;
   return uses;
 }
 
@@ -39,10 +40,12 @@ void add_faces(const Model& model, PartInfo& info) {
   for (int f = 1; f <= model.count(2); ++f) {
     const ModelFace& face = model.face(f);
     if (info.smallest_face == 0 || face.area < model.face(info.smallest_face).area) info.smallest_face = f;
-    if (face.region[0] == face.region[1])
+    if (face.region[0] == 0 && face.region[1] == 0) {
       info.dangling_faces.push_back(f);
-    else
-      info.area += face.area;
+      continue;
+    }
+    if (model.is_embedded(f)) info.embedded_faces.push_back(f);
+    info.area += face.area;
   }
 }
 

@@ -34,7 +34,8 @@ struct PartInfo {
   std::vector<TinyFeature> tiny;
   ModelRef widest_gap;  ///< the edge or vertex of the largest measured tolerance; tag 0: none
   SelfContact contact;
-  std::vector<int> dangling_faces;    ///< faces with the same region, or none, on both sides
+  std::vector<int> embedded_faces;    ///< faces with the same region on both sides
+  std::vector<int> dangling_faces;    ///< faces with none on either
   std::vector<Interface> interfaces;  ///< ascending by regions
   std::vector<Overlap> overlaps;
   std::vector<NumberChange> changes;  ///< but for what is not in the model (that is LeftOut)

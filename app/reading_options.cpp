@@ -27,6 +27,13 @@ void add_reading_options(CLI::App& command, ReadOptions& reading) {
                    "Close openings of shells and open solids that lie in a plane by a plane face each, and "
                    "list them (default: such parts are refused)");
   command
+      .add_flag(
+          "--embed", reading.embed,
+          "Loose faces, as baffles and cracks are drawn, become part of the solids that they lie in, and "
+          "the mesh follows them (default: they are left out, and listed; faces that the file itself has "
+          "within a solid are always followed)")
+      ->excludes(apart);
+  command
       .add_option(
           "--defeature", reading.smallest_feature,
           "Take away edges shorter, and faces, spikes and slits narrower than this (mm) where the part "

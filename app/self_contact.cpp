@@ -12,9 +12,11 @@ namespace {
 /// meet there is no fault.
 bool branches(const Model& model, const ModelEdge& edge) {
   std::map<int, int> faces;
-  for (const int f : edge.faces)
+  for (const int f : edge.faces) {
+    if (model.is_embedded(f)) continue;
     for (const int region : model.face(f).region)
       if (++faces[region] > 2) return true;
+  }
   return false;
 }
 

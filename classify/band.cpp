@@ -37,6 +37,29 @@ std::int32_t region_of_octree_vertices(const TetMesh& mesh, std::span<const Mode
   return region;
 }
 
+Circumcentre circumcentre_of(const TetMesh& mesh, TetId t) {
+  const auto& v = mesh.tets[t];
+  return circumcentre(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], mesh.points[v[3]]);
+}
+
+/// Per region tag; grown, so that a segment that meets a face meets its box.
+std::vector<std::vector<Box3>> boxes_of_embedded_faces(const Model& model) {
+  std::vector<std::vector<Box3>> boxes(static_cast<std::size_t>(model.count(3)) + 1);
+  const Facets& facets = model.facets();
+  std::vector<Box3> of_face(static_cast<std::size_t>(model.count(2)) + 1);
+  for (std::size_t i = 0; i < facets.triangles.size(); ++i)
+    if (model.is_embedded(facets.face[i]))
+      for (const std::uint32_t node : facets.triangles[i])
+        of_face[static_cast<std::size_t>(facets.face[i])].add(facets.nodes[node]);
+  for (int f = 1; f <= model.count(2); ++f) {
+    if (!model.is_embedded(f)) continue;
+    const Box3& box = of_face[static_cast<std::size_t>(f)];
+    boxes[static_cast<std::size_t>(model.face(f).region[0])].push_back(
+        box.grown(facets.deviation[static_cast<std::size_t>(f)] + model.tolerance()));
+  }
+  return boxes;
+}
+
 }  // namespace
 
 EdgeChains::EdgeChains(std::vector<EdgePiece> pieces) : pieces_(std::move(pieces)) {
@@ -81,6 +104,8 @@ Band::Band(const Model& model, RegionOf region_of) : model_(&model), region_of_(
     face_itself_[f] = {f};
     for (const int v : model.face(f).vertices) vertex_faces_[v].push_back(f);
   }
+  embedded_ = boxes_of_embedded_faces(model);
+  has_embedded_ = std::any_of(embedded_.begin(), embedded_.end(), [](const auto& of) { return !of.empty(); });
 }
 
 const std::vector<int>& Band::faces_of(ModelRef on) const {
@@ -111,9 +136,7 @@ void Band::update(const TetMesh& mesh, std::span<const ModelRef> on, std::span<c
       }
       region_[t] = region_of_octree_vertices(mesh, on, t);
       if (region_[t] == kUnknown) {
-        const auto& v = mesh.tets[t];
-        const Circumcentre c =
-            circumcentre(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], mesh.points[v[3]]);
+        const Circumcentre c = circumcentre_of(mesh, t);
         is_flat[i] = !c.reliable;
         if (c.reliable) region_[t] = region_of_(place_of(mesh, on, t, c.point));
       }
@@ -153,8 +176,16 @@ bool Band::share_a_face(ModelRef a, ModelRef b) const {
                      [&](int f) { return std::binary_search(second.begin(), second.end(), f); });
 }
 
+/// Beside an embedded face what is flat has its place where a neighbour has its own.
 void Band::forget_facets(const TetMesh& mesh, TetId t) {
   facets_are_current_ = false;
+  forget_faces_of(mesh, t);
+  if (!has_embedded_) return;
+  for (const TetId n : mesh.neighbours[t])
+    if (!mesh.ghost(n) && !circumcentre_of(mesh, n).reliable) forget_faces_of(mesh, n);
+}
+
+void Band::forget_faces_of(const TetMesh& mesh, TetId t) {
   stale_.push_back({t, kAllFaces});
   for (const TetId n : mesh.neighbours[t]) {
     unsigned shared = 0;
@@ -243,14 +274,81 @@ void Band::label_flat(const TetMesh& mesh, const std::vector<TetId>& flat) {
     if (region_[t] == kUnknown) region_[t] = 0;
 }
 
+/// Where a tetrahedron stands with regard to faces embedded in its region: at its circumcentre; one that is
+/// flat, where its neighbour across its largest face does, whatever that leaves for its other three. Not at
+/// its octree vertices: the way from one of these to another may pass beyond the border of a face though the
+/// facet between is on it.
+Vec3 Band::side_place(const TetMesh& mesh, TetId t, int steps) const {
+  const auto& v = mesh.tets[t];
+  const Circumcentre c = circumcentre_of(mesh, t);
+  const Vec3 middle = 0.25 * (mesh.points[v[0]] + mesh.points[v[1]] + mesh.points[v[2]] + mesh.points[v[3]]);
+  if (c.reliable) {
+    // One that lies on the face itself goes where the tetrahedron is.
+    constexpr double kAside = 1e-3;
+    const auto& boxes = embedded_[static_cast<std::size_t>(region_[t])];
+    const bool is_near =
+        std::any_of(boxes.begin(), boxes.end(), [&](const Box3& box) { return box.contains(c.point); });
+    const double on_it = kAside * kAside * (c.point - mesh.points[v[0]]).norm();
+    return is_near && model_->closest(c.point, on_it) ? Vec3(c.point + kAside * (middle - c.point)) : c.point;
+  }
+  int largest = 0;
+  double most = -1.0;
+  for (int f = 0; f < 4; ++f) {
+    const Vec3 a = mesh.points[v[kTetFace[f][0]]];
+    const double area =
+        (mesh.points[v[kTetFace[f][1]]] - a).cross(mesh.points[v[kTetFace[f][2]]] - a).squaredNorm();
+    if (area <= most) continue;
+    most = area;
+    largest = f;
+  }
+  const TetId n = mesh.neighbours[t][largest];
+  return steps == 0 || region_[n] != region_[t] ? middle : side_place(mesh, n, steps - 1);
+}
+
+/// Whether what goes through the boundary there goes through an embedded face: at an edge only where that
+/// goes on beyond it.
+bool Band::is_through_embedded(const Hit& hit) const {
+  if (hit.kind != HitKind::kTransversal || !model_->is_embedded(hit.face)) return false;
+  if (hit.on.dim != 1) return hit.on.dim == 2;
+  int uses = 0;
+  for (const int f : model_->edge(hit.on.tag).faces)
+    for (const FaceBoundary& side : model_->face(f).boundary) uses += side.edge == hit.on.tag ? 1 : 0;
+  return uses == 2;
+}
+
+int Band::passage(const TetMesh& mesh, TetId from, TetId to) const {
+  constexpr int kSteps = 4;
+  const bool swapped = to < from;  // one answer for both
+  const Vec3 p = side_place(mesh, swapped ? to : from, kSteps),
+             q = side_place(mesh, swapped ? from : to, kSteps);
+  Box3 way;
+  way.add(p);
+  way.add(q);
+  const auto& boxes = embedded_[static_cast<std::size_t>(region_[from])];
+  if (std::none_of(boxes.begin(), boxes.end(), [&](const Box3& box) { return box.overlaps(way); })) return 0;
+  std::vector<Hit> hits;
+  model_->intersect(p, q, hits);
+  std::erase_if(hits, [&](const Hit& hit) { return !is_through_embedded(hit); });
+  if (hits.size() % 2 == 0) return 0;
+  return (hits.front().normal.dot(q - p) > 0.0) != swapped ? 1 : -1;
+}
+
+bool Band::is_facet(const TetMesh& mesh, TetId t, std::int8_t f) const {
+  const TetId n = mesh.neighbours[t][f];
+  if (region_[n] != region_[t]) return true;
+  return !embedded_[static_cast<std::size_t>(region_[t])].empty() && passage(mesh, t, n) != 0;
+}
+
 /// Those of the faces that are facets.
 void Band::list_facets(const TetMesh& mesh, TetId t, std::uint8_t faces,
                        std::vector<BoundaryFacet>& found) const {
   if (!mesh.alive(t) || region_[t] == 0) return;
+  const bool has_embedded = !embedded_[static_cast<std::size_t>(region_[t])].empty();
   for (std::int8_t f = 0; f < 4; ++f) {
     if ((faces >> f & 1) == 0) continue;
     const TetId n = mesh.neighbours[t][f];
-    if (region_[n] >= region_[t]) continue;
+    if (region_[n] > region_[t]) continue;
+    if (region_[n] == region_[t] && !(has_embedded && passage(mesh, t, n) == 1)) continue;
     const auto& v = mesh.tets[t];
     found.push_back({t, f, kUnknown, {v[kTetFace[f][0]], v[kTetFace[f][1]], v[kTetFace[f][2]]}});
   }

@@ -20,9 +20,10 @@ namespace octet {
 /// Region tag of the model that holds a point, 0 outside; must be exact and callable from several threads.
 using RegionOf = std::function<int(const Vec3&)>;
 
-/// A face between two tetrahedra of different regions.
+/// A face between two tetrahedra of different regions, or of one region on either side of a face embedded in
+/// it.
 struct BoundaryFacet {
-  TetId tet;  ///< the side with the larger region tag (or, when equal tags are impossible, the first)
+  TetId tet;                  ///< the side with the larger region tag; at an embedded face the one behind it
   std::int8_t local = 0;      ///< face of `tet`
   std::int32_t face = 0;      ///< model face it is classified on, 0: none fits (a gap)
   std::array<VertexId, 3> v;  ///< counter-clockwise seen from outside `tet`
@@ -57,6 +58,11 @@ class EdgeChains {
 /// circumcentre where it has none, 0 for ghosts, until repair() moves it. Where all are the circumcentre's
 /// the facets between different regions are the restricted Delaunay triangulation of the boundary. [DESIGN:
 /// docs/ARCHITECTURE.md, "Classification"]
+///
+/// A face embedded in a region parts no regions: there a facet is a face whose two tetrahedra have their
+/// places on either side of it. The places around an edge of the mesh make a closed polygon, which goes
+/// through the embedded face an even number of times unless it winds about the face's border; so these facets
+/// make a surface that ends at the border, as those between regions make one that ends nowhere.
 class Band {
  public:
   Band(const Model& model, RegionOf region_of);
@@ -76,9 +82,11 @@ class Band {
                             std::span<const std::uint32_t> pieces);
 
   [[nodiscard]] int region(TetId t) const { return region_[t]; }
+  /// Whether face f of t is a facet, of t or of its neighbour.
+  [[nodiscard]] bool is_facet(const TetMesh& mesh, TetId t, std::int8_t f) const;
   /// Region of the model that holds p, 0 outside.
   [[nodiscard]] int region_of(const Vec3& p) const { return region_of_(p); }
-  /// All facets between different regions, ascending by tetrahedron; those of the last call that did not
+  /// All facets, ascending by tetrahedron; those of the last call that did not
   /// change keep their classification without new queries.
   [[nodiscard]] const std::vector<BoundaryFacet>& facets(const TetMesh& mesh, std::span<const ModelRef> on);
   /// Corners of facets that came or went since this was asked last, in any order, some more than once. Those
@@ -113,8 +121,15 @@ class Band {
   [[nodiscard]] int misfits(const TetMesh& mesh, std::span<const ModelRef> on, TetId t, int region) const;
   void move(const TetMesh& mesh, TetId t, int region);
   void forget_facets(const TetMesh& mesh, TetId t);
+  void forget_faces_of(const TetMesh& mesh, TetId t);
   void list_facets(const TetMesh& mesh, TetId t, std::uint8_t faces, std::vector<BoundaryFacet>& found) const;
   void list_stale_facets(const TetMesh& mesh);
+  /// Whether the way from the place of one tetrahedron to that of its neighbour, in one region, goes through
+  /// faces embedded in that an odd number of times: 1 where the first is met along its normal, -1 where
+  /// against it, else 0.
+  [[nodiscard]] int passage(const TetMesh& mesh, TetId from, TetId to) const;
+  [[nodiscard]] Vec3 side_place(const TetMesh& mesh, TetId t, int steps) const;
+  [[nodiscard]] bool is_through_embedded(const Hit& hit) const;
   void label_flat(const TetMesh& mesh, const std::vector<TetId>& flat);
   [[nodiscard]] int classify_facet(const TetMesh& mesh, std::span<const ModelRef> on,
                                    const BoundaryFacet& facet, int region_behind, int region_front) const;
@@ -140,6 +155,8 @@ class Band {
   std::vector<VertexId> changed_;
   std::vector<std::vector<int>> vertex_faces_;  ///< per model vertex tag: faces whose closure holds it
   std::vector<std::vector<int>> face_itself_;   ///< per face tag: {tag}
+  std::vector<std::vector<Box3>> embedded_;     ///< per region tag: boxes of the faces embedded in it
+  bool has_embedded_ = false;
 };
 
 }  // namespace octet

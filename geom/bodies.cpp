@@ -9,8 +9,6 @@
 namespace octet {
 namespace {
 
-bool bounds_something(const ModelFace& face) { return face.region[0] != face.region[1]; }
-
 /// The lowest region of each region's body, by tag.
 std::vector<int> lead_regions(const Model& model) {
   std::vector<int> lead(static_cast<std::size_t>(model.count(3)) + 1);
@@ -22,7 +20,6 @@ std::vector<int> lead_regions(const Model& model) {
   std::vector<int> region_of_vertex(static_cast<std::size_t>(model.count(0)) + 1, 0);
   for (int r = 1; r <= model.count(3); ++r)
     for (const int f : model.region(r).faces) {
-      if (!bounds_something(model.face(f))) continue;
       for (const int v : model.face(f).vertices) {
         int& first = region_of_vertex[static_cast<std::size_t>(v)];
         if (first == 0) first = r;
@@ -45,7 +42,6 @@ class Extract {
     for (const int r : regions) own_[3][static_cast<std::size_t>(r)] = 1;
     for (const int r : regions)
       for (const int f : model.region(r).faces) {
-        if (!bounds_something(model.face(f))) continue;
         own_[2][static_cast<std::size_t>(f)] = 1;
         for (const FaceBoundary& side : model.face(f).boundary)
           own_[1][static_cast<std::size_t>(side.edge)] = 1;

@@ -158,6 +158,8 @@ class Model {
   [[nodiscard]] const ModelParts& parts() const;  ///< what it was made of
   /// Whether `part` is `whole` or lies in its closure (an edge in the closure of a face, ...).
   [[nodiscard]] bool in_closure(ModelRef part, ModelRef whole) const;
+  /// Whether the face lies within a region, the same on both of its sides (a baffle, a crack).
+  [[nodiscard]] bool is_embedded(int face_tag) const;
   /// `Face 12 "bore"`: the entity as the user knows it.
   [[nodiscard]] std::string describe(ModelRef entity) const;
 

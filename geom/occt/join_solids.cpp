@@ -13,6 +13,7 @@
 #include "base/error.h"
 #include "geom/facet_volumes.h"
 #include "geom/occt/closed_forms.h"
+#include "geom/occt/embed_faces.h"
 #include "geom/occt/heal.h"
 #include "geom/occt/measure.h"
 #include "geom/occt/shape_box.h"
@@ -142,6 +143,7 @@ class Joiner {
     all.history->Merge(healed_.history);
     all.history->Merge(joined_.history);
     all.notes.insert(all.notes.end(), joined_.notes.begin(), joined_.notes.end());
+    embed(all);
     add_entities(all);
     if (turn_back(part_, all)) {
       part_ = {};
@@ -149,6 +151,16 @@ class Joiner {
     }
     log_("measuring the entities");
     measure_volumes(part_.numbering, part_.parts);
+  }
+
+  void embed(SolidSet& all) {
+    if (!options_.embed) return;
+    if (!options_.fuse || std::any_of(apart_.begin(), apart_.end(), [](const auto& a) { return !a.late; })) {
+      all.notes.push_back("no loose faces are embedded: solids that touch are kept apart");
+      return;
+    }
+    log_("embedding loose faces");
+    embed_faces(as_read_, all);
   }
 
   /// Numbers, topology and facets of the solids as they are now.

@@ -19,7 +19,17 @@ struct Trace {
   std::vector<std::vector<int>> images, sources;
 };
 
-ShapeMaps maps_of(const std::vector<TopoDS_Shape>& solids) { return ShapeMaps(compound_of(solids)); }
+/// Edges and vertices that lie within a solid and on no face are not among them.
+ShapeMaps maps_of(const std::vector<TopoDS_Shape>& solids) {
+  ShapeMaps maps(compound_of(solids));
+  constexpr TopAbs_ShapeEnum kTypes[2] = {TopAbs_VERTEX, TopAbs_EDGE};
+  for (int dim = 0; dim < 2; ++dim) {
+    maps.of[dim].Clear();
+    for (int f = 1; f <= maps.of[2].Extent(); ++f)
+      TopExp::MapShapes(maps.of[2](f), kTypes[dim], maps.of[dim]);
+  }
+  return maps;
+}
 
 Trace trace(const TopTools_IndexedMapOfShape& as_read, const TopTools_IndexedMapOfShape& final,
             const SolidSet& set) {
@@ -71,13 +81,19 @@ std::vector<int> tags_of(const Trace& trace) {
   return tag;
 }
 
+/// A face embedded in a solid has no side there, and none of its edges as seen through it: it gets one.
+TopoDS_Shape with_a_side(const TopoDS_Shape& entity) {
+  const bool is_embedded = entity.ShapeType() == TopAbs_FACE && entity.Orientation() != TopAbs_REVERSED;
+  return is_embedded ? entity.Oriented(TopAbs_FORWARD) : entity;
+}
+
 void number_dimension(int dim, const ShapeMaps& as_read, const ShapeMaps& final, const SolidSet& set,
                       Numbering& numbering) {
   const Trace traced = trace(as_read.of[dim], final.of[dim], set);
   const std::vector<int> tag = tags_of(traced);
   std::vector<int> index(tag.size(), 0);
   for (std::size_t i = 1; i < tag.size(); ++i) index[static_cast<std::size_t>(tag[i])] = static_cast<int>(i);
-  for (std::size_t t = 1; t < index.size(); ++t) numbering.of[dim].Add(final.of[dim](index[t]));
+  for (std::size_t t = 1; t < index.size(); ++t) numbering.of[dim].Add(with_a_side(final.of[dim](index[t])));
   numbering.became[dim].resize(traced.images.size());
   for (std::size_t number = 1; number < traced.images.size(); ++number) {
     auto& tags = numbering.became[dim][number];

@@ -32,6 +32,9 @@ struct ReadOptions {
   /// the running program, in its ../libexec/octet, where Octet was installed, or in /usr/libexec/octet; where
   /// none is found, reading is not isolated, and a note of the model says so.
   std::filesystem::path reader_program;
+  /// Loose faces become faces embedded in the solids that they lie in, which the mesh follows; listed in the
+  /// model's notes. Not with `fuse` off.
+  bool embed = false;
   bool fuse = true;  ///< solids that touch share faces, edges and vertices; else each keeps its own
   /// Solids that overlap, or miss each other, by no more than this (mm) are taken to touch. 0: what rounding
   /// leaves (1e-6 of the diagonal of those that touch).

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bodies that share nothing are meshed by themselves, and what bounds nothing is told.
+// Bodies that share nothing are meshed by themselves.
 #include "app/apart.h"
 
 #include <gtest/gtest.h>
 
-#include <BOPAlgo_Builder.hxx>
-#include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRep_Builder.hxx>
 #include <TopoDS_Compound.hxx>
 #include <algorithm>
-#include <gp_Pln.hxx>
 
 #include "geom/bodies.h"
 #include "geom/model_check.h"
@@ -28,16 +25,6 @@ Model touching_boxes(bool fuse) {
   ReadOptions options;
   options.fuse = fuse;
   return model_from_shape(all, options);
-}
-
-/// A cube of side 2 with a square of side 1 in its middle.
-Model cube_with_embedded_square() {
-  BOPAlgo_Builder builder;
-  builder.AddArgument(BRepPrimAPI_MakeBox(2, 2, 2).Shape());
-  builder.AddArgument(
-      BRepBuilderAPI_MakeFace(gp_Pln(gp_Pnt(1, 1, 1), gp::DZ()), -0.5, 0.5, -0.5, 0.5).Shape());
-  builder.Perform();
-  return model_from_shape(builder.Shape());
 }
 
 TEST(Apart, BodiesAreModelsOfTheirOwn) {
@@ -95,20 +82,6 @@ TEST(Apart, ABodyIsNoCoarserThanItWouldBeByItself) {
   const MeshResult coarse = mesh_part(model, asked);
   EXPECT_EQ(coarse.report.size, 1e4);
   EXPECT_LT(std::count(coarse.mesh.tet_in.begin(), coarse.mesh.tet_in.end(), 2), 100);
-}
-
-TEST(Apart, AFaceThatBoundsNothingIsAFaultAndNothingElse) {
-  const Model model = cube_with_embedded_square();
-  ASSERT_EQ(model.count(2), 7);
-  const MeshResult result = mesh_part(model);
-  EXPECT_EQ(result.report.status, MeshStatus::kIncomplete);
-  ASSERT_EQ(result.report.faults.size(), 1u);
-  const ModelRef square = result.report.faults[0].entity;
-  ASSERT_EQ(square.dim, 2);
-  EXPECT_NEAR(model.face(square.tag).area, 1.0, 1e-12);
-  EXPECT_NEAR(result.report.faults[0].place.z(), 1.0, 1e-9);
-  EXPECT_TRUE(result.report.acceptance.holds());
-  EXPECT_NEAR(result.report.volume, 8.0, 1e-9);
 }
 
 }  // namespace

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Two to five solids that touch, are inserted in each other, or nearly so.
+#include <BOPAlgo_Builder.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
+#include <TopExp_Explorer.hxx>
+#include <gp_Cylinder.hxx>
+#include <gp_Pln.hxx>
 #include <numbers>
 
 #include "geom/occt/gathered.h"
@@ -103,10 +108,49 @@ TopoDS_Shape embedded(Draw& draw) {
   return compound_of(parts);
 }
 
+/// A block or a rod with sheets in it, plane or round, which cross each other and the walls at random, as far
+/// as they lie within.
+TopoDS_Shape sheeted(Draw& draw) {
+  const double a = draw.scaled(3, 100);
+  TopoDS_Shape body = draw.chance(0.6) ? box({0, 0, 0}, a, a * draw.length(0.4, 1), a * draw.length(0.3, 0.8))
+                                       : rod({0, 0, 0}, gp::DZ(), a * draw.length(0.2, 0.5), a);
+  const Extent in = extent_of(body);
+  const double r = in.least();
+  BOPAlgo_Builder builder;
+  const auto within = [&] {
+    return gp_Pnt(in.low.X() + in.x() * draw.between(0.2, 0.8), in.low.Y() + in.y() * draw.between(0.2, 0.8),
+                  in.low.Z() + in.z() * draw.between(0.2, 0.8));
+  };
+  if (draw.chance(0.3))
+    body = cut(body, rod(within(), gp_Dir(1, 0.3, 0.2), r * draw.length(0.05, 0.15), 2 * a));
+  builder.AddArgument(body);
+  for (int i = draw.count(1, 4); i > 0; --i) {
+    const gp_Pnt at = within();
+    const gp_Dir normal = draw.chance(0.5) ? gp::DZ() : gp_Dir(draw.between(-1, 1), draw.between(-1, 1), 0.7);
+    const double w = r * draw.length(0.1, 0.6), h = r * draw.length(0.1, 0.6);
+    if (draw.chance(0.7))
+      builder.AddArgument(BRepBuilderAPI_MakeFace(gp_Pln(at, normal), -w, w, -h, h).Shape());
+    else
+      builder.AddArgument(BRepBuilderAPI_MakeFace(gp_Cylinder(gp_Ax3(at, normal), 0.4 * w), 0.0,
+                                                  draw.chance(0.5) ? 2 * kPi : draw.between(1, 5), -h / 2,
+                                                  h / 2)
+                              .Shape());
+  }
+  builder.Perform();
+  std::vector<TopoDS_Shape> solids;
+  for (TopExp_Explorer it(builder.Shape(), TopAbs_SOLID); it.More(); it.Next())
+    solids.push_back(it.Current());
+  return compound_of(solids);
+}
+
 }  // namespace
 
 std::vector<PartKind> joined_kinds() {
-  return {{"pinned", pinned}, {"stacked", stacked}, {"nested", nested}, {"embedded", embedded}};
+  return {{"pinned", pinned},
+          {"stacked", stacked},
+          {"nested", nested},
+          {"embedded", embedded},
+          {"sheeted", sheeted}};
 }
 
 }  // namespace octet::test

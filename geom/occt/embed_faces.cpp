@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One general fuse of the solids and the loose faces.
+#include "geom/occt/embed_faces.h"
+
+#include <fmt/format.h>
+
+#include <BOPAlgo_Builder.hxx>
+#include <Standard_Failure.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <cmath>
+
+#include "geom/occt/gathered.h"
+#include "geom/occt/shape_measures.h"
+#include "geom/occt/sub_shapes.h"
+
+namespace octet {
+namespace {
+
+/// Share of a solid's volume that it may be off by once its faces are split.
+constexpr double kSameVolume = 1e-6;
+
+TopTools_IndexedMapOfShape faces_of(const std::vector<TopoDS_Shape>& solids) {
+  return sub_shapes(compound_of(solids), TopAbs_FACE);
+}
+
+/// Numbers as read of the faces that are in no solid, and what has become of them.
+struct LooseFaces {
+  std::vector<int> numbers;
+  std::vector<TopoDS_Shape> faces;
+};
+
+LooseFaces loose_faces(const ShapeMaps& as_read, const SolidSet& set) {
+  const TopTools_IndexedMapOfShape used = faces_of(set.solids);
+  LooseFaces loose;
+  for (int number = 1; number <= as_read.of[2].Extent(); ++number) {
+    const TopTools_ListOfShape images = images_of(as_read.of[2](number), set);
+    bool is_used = images.IsEmpty();
+    for (const TopoDS_Shape& image : images) is_used = is_used || used.Contains(image);
+    if (is_used) continue;
+    loose.numbers.push_back(number);
+    for (const TopoDS_Shape& image : images) loose.faces.push_back(image);
+  }
+  return loose;
+}
+
+/// What the fuse made of each solid.
+class Embedding {
+ public:
+  /// Why it failed, or nothing.
+  std::string run(const std::vector<TopoDS_Shape>& solids, const std::vector<TopoDS_Shape>& faces) {
+    try {
+      builder_.SetNonDestructive(true);
+      builder_.SetRunParallel(false);
+      for (const auto* shapes : {&solids, &faces})
+        for (const TopoDS_Shape& shape : *shapes) builder_.AddArgument(shape);
+      builder_.Perform();
+    } catch (const Standard_Failure& failure) {
+      return failure.GetMessageString();
+    }
+    if (builder_.HasErrors()) return "OCCT's general fuse failed";
+    for (const TopoDS_Shape& solid : solids) {
+      std::vector<TopoDS_Shape>& images = images_.emplace_back();
+      for (const TopoDS_Shape& image : builder_.Modified(solid)) images.push_back(image);
+      if (images.empty() && !builder_.IsDeleted(solid)) images.push_back(solid);
+      const auto same = [](double a, double b) { return std::abs(a - b) <= kSameVolume * std::abs(a); };
+      const TopoDS_Compound all = compound_of(images);
+      if (same(volume_of(solid), volume_of(all))) continue;
+      const double before = refined_volume_of(solid), after = refined_volume_of(all);
+      if (!same(before, after))
+        return fmt::format("a solid of {:.6g} mm^3 would be one of {:.6g} mm^3", before, after);
+    }
+    return {};
+  }
+  [[nodiscard]] const std::vector<std::vector<TopoDS_Shape>>& images() const { return images_; }
+  [[nodiscard]] Handle(BRepTools_History) history() { return builder_.History(); }
+
+ private:
+  BOPAlgo_Builder builder_;
+  std::vector<std::vector<TopoDS_Shape>> images_;
+};
+
+}  // namespace
+
+void embed_faces(const ShapeMaps& as_read, SolidSet& set) {
+  const LooseFaces loose = loose_faces(as_read, set);
+  if (loose.faces.empty()) {
+    set.notes.push_back("no loose faces to embed");
+    return;
+  }
+  Embedding embedding;
+  if (const std::string cause = embedding.run(set.solids, loose.faces); !cause.empty()) {
+    set.notes.push_back(fmt::format("{} loose face(s) could not be embedded: {}", loose.faces.size(), cause));
+    return;
+  }
+  std::size_t parted = 0;
+  std::vector<TopoDS_Shape> solids;
+  for (const auto& images : embedding.images()) {
+    parted += images.size() > 1 ? 1 : 0;
+    solids.insert(solids.end(), images.begin(), images.end());
+  }
+  set.solids = std::move(solids);
+  set.history->Merge(embedding.history());
+  const TopTools_IndexedMapOfShape now = faces_of(set.solids);
+  int count = 0, first = 0;
+  for (const int number : loose.numbers) {
+    bool is_in = false;
+    for (const TopoDS_Shape& image : images_of(as_read.of[2](number), set))
+      is_in = is_in || now.Contains(image);
+    if (is_in && count++ == 0) first = number;
+  }
+  if (count == 0)
+    set.notes.push_back("no loose face lies in a solid: none is embedded");
+  else
+    set.notes.push_back(
+        fmt::format("{} loose face(s) are embedded in solids, the first is Face {}", count, first));
+  if (parted > 0)
+    set.notes.push_back(fmt::format("{} solid(s) are parted by faces that reach across them", parted));
+}
+
+}  // namespace octet
