@@ -270,8 +270,7 @@ MeshResult mesh_apart(const Model& model, const MeshOptions& options, Observer& 
   }
   whole.report.quality = quality_summary(whole.mesh);
   for (int f = 1; f <= model.count(2); ++f)
-    if (is_outside(model.face(f)))
-      whole.report.faults.push_back(not_meshed(model, f));
+    if (is_outside(model.face(f))) whole.report.faults.push_back(not_meshed(model, f));
   if (!whole.report.faults.empty()) whole.report.status = MeshStatus::kIncomplete;
   return whole;
 }

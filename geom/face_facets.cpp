@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 #include <tuple>
 
 #include "geom/facet_bvh.h"
@@ -83,6 +85,68 @@ Vec2 metric_scale(const SurfaceJets& surface, const std::vector<Vec2>& uv) {
   }
   return scale;
 }
+
+/// The sides of the loops that another runs along the other way, point for point: slits, where an edge has
+/// the face on both of its sides.
+class Slits {
+ public:
+  Slits(const std::vector<Vec2>& points, const std::vector<std::vector<std::uint32_t>>& loops)
+      : points_(points), loops_(loops) {
+    if (!any_two_alike()) return;
+    std::map<std::array<double, 4>, int> sides;
+    for_each_side([&](const Vec2& a, const Vec2& b) { ++sides[{a.x(), a.y(), b.x(), b.y()}]; });
+    for (const auto& [side, count] : sides)
+      if (sides.contains({side[2], side[3], side[0], side[1]})) slits_.insert(side);
+  }
+
+  /// The points with slits open by a hair, which no ear can then be cut across.
+  [[nodiscard]] std::vector<Vec2> opened() const {
+    std::vector<Vec2> open = points_;
+    if (slits_.empty()) return open;
+    for (const auto& loop : loops_) {
+      const std::size_t n = loop.size();
+      for (std::size_t i = 0; i < n; ++i) {
+        const Vec2 &before = points_[loop[(i + n - 1) % n]], &at = points_[loop[i]],
+                   &after = points_[loop[(i + 1) % n]];
+        // Where a slit ends its sides meet, and it may end where another loop or slit does.
+        if (before == after)
+          open[loop[i]] += kHair * (before - at);
+        else
+          open[loop[i]] += to_the_left(before, at) + to_the_left(at, after);
+      }
+    }
+    return open;
+  }
+
+ private:
+  static constexpr double kHair = 1e-7;  ///< of a side's length
+
+  template <class Visit>
+  void for_each_side(const Visit& visit) const {
+    for (const auto& loop : loops_)
+      for (std::size_t i = 0; i < loop.size(); ++i)
+        visit(points_[loop[i]], points_[loop[(i + 1) % loop.size()]]);
+  }
+
+  /// A slit has points that it comes to twice, unless it is a single side.
+  [[nodiscard]] bool any_two_alike() const {
+    std::vector<std::pair<double, double>> sorted;
+    for (const auto& loop : loops_)
+      for (const std::uint32_t p : loop) sorted.emplace_back(points_[p].x(), points_[p].y());
+    std::sort(sorted.begin(), sorted.end());
+    return std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
+  }
+
+  /// A hair to the left of a side of a slit, where the face is; nothing at others.
+  [[nodiscard]] Vec2 to_the_left(const Vec2& a, const Vec2& b) const {
+    if (!slits_.contains({a.x(), a.y(), b.x(), b.y()})) return Vec2::Zero();
+    return kHair * Vec2(a.y() - b.y(), b.x() - a.x());
+  }
+
+  const std::vector<Vec2>& points_;
+  const std::vector<std::vector<std::uint32_t>>& loops_;
+  std::set<std::array<double, 4>> slits_;
+};
 
 /// Puts points where the facets are too far from the surface or too flat for its curvature.
 class Refiner {
@@ -228,7 +292,7 @@ FaceFacets facet_face(const SurfaceJets& surface, bool planar, const FaceLoops& 
   std::vector<Vec2> scaled;
   scaled.reserve(loops.uv.size());
   for (const Vec2& p : loops.uv) scaled.push_back(p.cwiseProduct(scale));
-  PlanarTriangulation plane = triangulate_loops(std::move(scaled), loops.loops);
+  PlanarTriangulation plane = triangulate_loops(Slits(scaled, loops.loops).opened(), loops.loops);
   if (plane.triangles.empty()) return result;
   Refiner refiner(surface, plane, scale, limits);
   if (!planar) refiner.run();

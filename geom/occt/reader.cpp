@@ -52,7 +52,8 @@ std::string encode_job(const ReadJob& job) {
   ByteWriter out;
   out(job.path.string(), job.kind, job.shape.IsNull() ? std::string() : encode_shape(job.shape),
       job.options.facet_deflection, job.options.sew_tolerance, job.options.cap, job.options.smallest_feature,
-      job.options.embed, job.options.fuse, job.options.fuse_tolerance, job.meeting.crossing, job.meeting.touching);
+      job.options.embed, job.options.fuse, job.options.fuse_tolerance, job.meeting.crossing,
+      job.meeting.touching);
   return std::move(out.bytes);
 }
 
@@ -157,8 +158,8 @@ std::string serve_job(std::string_view request, const StageLog& log) {
   ReadJob job;
   std::string path, shape;
   in(path, job.kind, shape, job.options.facet_deflection, job.options.sew_tolerance, job.options.cap,
-     job.options.smallest_feature, job.options.embed, job.options.fuse, job.options.fuse_tolerance, job.meeting.crossing,
-     job.meeting.touching);
+     job.options.smallest_feature, job.options.embed, job.options.fuse, job.options.fuse_tolerance,
+     job.meeting.crossing, job.meeting.touching);
   job.path = path;
   if (!shape.empty()) job.shape = decode_shape(shape);
   return do_job(job, log);

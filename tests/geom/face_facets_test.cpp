@@ -285,5 +285,35 @@ TEST(FaceFacets, SayHowFarOffTheyAreWhereThereIsNoRoomForMore) {
   EXPECT_GT(few.off, 10.0 * limits.deflection);
 }
 
+/// Sides of an edge that has the face on both of its sides, and of one that starts where it ends.
+TEST(FaceFacets, SlitsInACurvedFaceDoNotFoldIt) {
+  const auto surface = make_cylinder(Axes3{}, 1.0);
+  FaceLoops loops;
+  add_loop(loops, {{0, 0}, {1, 0}, {2, 0}, {3, 0}, {3, 2}, {2, 2}, {1, 2}, {0, 2}});
+  const auto add_slit = [&](const auto& point) {
+    constexpr int kSides = 12;
+    std::vector<Vec2> there_and_back;
+    for (int i = 0; i < 2 * kSides; ++i)
+      there_and_back.push_back(point((i <= kSides ? i : 2 * kSides - i) / static_cast<double>(kSides)));
+    add_loop(loops, there_and_back);
+  };
+  add_slit([](double s) { return Vec2(0.5 + s, 0.6 + 0.4 * std::sin(3 * s)); });
+  add_slit([](double s) { return Vec2(1.5 + s, 0.6 + 0.4 * std::sin(3.0) + 0.5 * s * s); });
+  add_slit([](double s) { return Vec2(1.5 + 0.2 * s, 0.6 + 0.4 * std::sin(3.0) - 0.5 * s); });
+  FacetLimits limits;
+  limits.deflection = 1e-3;
+  const FaceFacets facets = facet_face(jets_of(*surface), false, loops, limits);
+  expect_closed(loops, facets.triangles);
+  EXPECT_LT(facets.triangles.size(), 8000u);
+  double twice_area = 0.0;
+  for (const auto& t : facets.triangles) {
+    const Vec2 p = facets.uv[t[1]] - facets.uv[t[0]], q = facets.uv[t[2]] - facets.uv[t[0]];
+    const double twice = p.x() * q.y() - p.y() * q.x();
+    EXPECT_GT(twice, -1e-6);
+    twice_area += twice;
+  }
+  EXPECT_NEAR(twice_area, 12.0, 1e-5);
+}
+
 }  // namespace
 }  // namespace octet
