@@ -343,7 +343,7 @@ class Run {
     Mesh interior;
     count +=
         static_cast<double>(append_deep(band_->tree, band_->vertices, band_->labels, band_->split, interior));
-    if (count > kFarMore * most_) throw TooManyTets{count};
+    if (count > kFarMore * most_) throw TooManyTets{count, gaps_left_};
   }
 
   /// Goes back to what finalization began with.

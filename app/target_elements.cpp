@@ -91,11 +91,13 @@ MeshResult mesh_by_default(const Model& model, const MeshOptions& options, const
   const MeshOptions chosen = with_default_size(model, options, walls);
   std::optional<MeshResult> result;
   double count = 0.0;
+  bool open = false;
   try {
     result = mesh(chosen, has_free_sizes(options) ? kMostByDefault : kUnbounded);
     count = static_cast<double>(result->report.tets);
   } catch (const TooManyTets& many) {
     count = many.count;
+    open = many.open;
   }
   // What was made is not made again for being a little larger: that would take all the time once more.
   const bool complete = result && result->report.status == MeshStatus::kComplete;
@@ -103,7 +105,7 @@ MeshResult mesh_by_default(const Model& model, const MeshOptions& options, const
   // Counts go with the size to the power -2 at the boundary, of which such parts have much.
   const double scale = std::sqrt(count / (kSafeShare * kMostByDefault));
   MeshResult coarser = mesh(scaled_sizes(model, chosen, scale), kUnbounded);
-  if (!result && coarser.report.status == MeshStatus::kComplete) return coarser;
+  if (!result && (open || coarser.report.status == MeshStatus::kComplete)) return coarser;
   if (!result) result = mesh(chosen, kUnbounded);
   const auto rank = [](const MeshResult& r) {
     return std::pair(r.report.status != MeshStatus::kComplete, r.report.tets);

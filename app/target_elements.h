@@ -25,6 +25,7 @@ inline constexpr double kMostByDefault = 500'000.0;
 /// it may.
 struct TooManyTets {
   double count = 0.0;
+  bool open = false;  ///< gaps are left: it will not be complete either
 };
 
 /// Meshes with options, or throws TooManyTets where the mesh would have far more than `most` tetrahedra.
