@@ -196,15 +196,49 @@ class AttributeLoop {
     }
     if (gap.kind == GapKind::kBareFace) return;  // its bare vertices get company, or smaller octants find it
     if (changed(gap.tet) || changed(mesh().neighbours[gap.tet][gap.local])) return;
+    const std::size_t before = result_.points;
     const auto point = facet_point(model_, mesh(), on_, gap.tet, gap.local, limits_.floor);
-    if (!point) {
-      ++result_.rejected;
-      return;
-    }
-    if (point->on.dim == 1)
-      split_at(point->on.tag, point->t);
+    if (point)
+      insert_at(*point, gap.tet);
     else
-      insert_on_face(*point, gap.tet);
+      ++result_.rejected;
+    if (result_.points == before && gap.kind == GapKind::kNoFace) close_behind(gap);
+  }
+
+  void insert_at(const AttributePoint& point, TetId near) {
+    if (point.on.dim == 1)
+      split_at(point.on.tag, point.t);
+    else
+      insert_on_face(point, near);
+  }
+
+  /// Where a repair has moved tetrahedra because their own facets, behind this one, fit no face, and the
+  /// place that this one asks for has a point already, one of those gets a point: a fillet with all of its
+  /// points in the middle is cut off by a chord from edge to edge, and lacks points to either side.
+  void close_behind(const Gap& gap) {
+    constexpr std::size_t kMost = 16;
+    std::vector<TetId> moved;
+    const auto add = [&](TetId t) {
+      if (moved.size() < kMost && std::find(moved.begin(), moved.end(), t) == moved.end() &&
+          band_.own_region(mesh(), on_, t) != band_.region(t))
+        moved.push_back(t);
+    };
+    add(gap.tet);
+    add(mesh().neighbours[gap.tet][gap.local]);
+    std::optional<AttributePoint> best;
+    TetId at;
+    for (std::size_t i = 0; i < moved.size(); ++i)
+      for (int f = 0; f < 4; ++f) {
+        const TetId beyond = mesh().neighbours[moved[i]][f];
+        if (changed(beyond)) return;
+        add(beyond);
+        if (band_.own_region(mesh(), on_, beyond) == band_.own_region(mesh(), on_, moved[i])) continue;
+        const auto point = facet_point(model_, mesh(), on_, moved[i], f, limits_.floor);
+        if (!point || (best && point->clearance <= best->clearance)) continue;
+        best = point;
+        at = moved[i];
+      }
+    if (best) insert_at(*best, at);
   }
 
   /// A tetrahedron at the piece that reaches through a sheet without points takes the facets from the piece:

@@ -333,6 +333,14 @@ int Band::passage(const TetMesh& mesh, TetId from, TetId to) const {
   return (hits.front().normal.dot(q - p) > 0.0) != swapped ? 1 : -1;
 }
 
+int Band::own_region(const TetMesh& mesh, std::span<const ModelRef> on, TetId t) const {
+  if (mesh.ghost(t)) return 0;
+  const std::int32_t region = region_of_octree_vertices(mesh, on, t);
+  if (region != kUnknown) return region;
+  const Circumcentre c = circumcentre_of(mesh, t);
+  return c.reliable ? region_of_(place_of(mesh, on, t, c.point)) : region_[t];
+}
+
 bool Band::is_facet(const TetMesh& mesh, TetId t, std::int8_t f) const {
   const TetId n = mesh.neighbours[t][f];
   if (region_[n] != region_[t]) return true;

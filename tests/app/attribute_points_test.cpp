@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -11,6 +14,7 @@
 
 #include "base/vertex_order.h"
 #include "geom/analytic.h"
+#include "geom/occt/from_shape.h"
 #include "octree/seeds.h"
 #include "tests/support/seed_points.h"
 
@@ -131,6 +135,30 @@ TEST(AttributePoints, CloseTheHoleWhereABallWasNotSampled) {
     EXPECT_NEAR(bench.mesh().points[VertexId(n)].norm(), 1.0, 1e-9);
   }
   EXPECT_TRUE(bench.gaps().empty());
+}
+
+TEST(AttributePoints, CloseAHollowWhosePointsAreAllInTheMiddle) {
+  // A quarter of a cylinder's hollow along an edge of a block. Facets from its points to its borders are too
+  // far from it, and the chord from border to border asks for a point in the middle, where there are some.
+  const Model model = model_from_shape(
+      BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(6, 8, 6).Shape(),
+                      BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(0, -1, 0), gp::DY()), 1.6, 10).Shape())
+          .Shape());
+  int hollow = 0;
+  for (int f = 1; f <= model.count(2); ++f)
+    if (!model.is_plane(f)) hollow = f;
+  for (const double size : {1.2, 1.4, 1.6, 1.8}) {
+    Bench bench(model, size);
+    for (double y = 0.2; y < 7.9; y += 0.15)
+      bench.add(1.6 * Vec3(std::sqrt(0.5), 0.0, std::sqrt(0.5)) + Vec3(0.0, y, 0.0), model_face(hollow));
+    bench.triangulate([&](const Vec3& p, ModelRef on) {
+      return on != model_face(hollow) || std::abs(p.x() - p.z()) < 1e-9;
+    });
+    EXPECT_FALSE(bench.gaps().empty());
+    const AttributeResult result = bench.close(2000);
+    EXPECT_TRUE(result.gaps.empty()) << size;
+    EXPECT_LT(result.points, 100u) << size;
+  }
 }
 
 TEST(AttributePoints, MoreGapsThanAllowedEndTheLoopBeforeAnyPoint) {
