@@ -110,7 +110,7 @@ class Slits {
                    &after = points_[loop[(i + 1) % n]];
         // Where a slit ends its sides meet, and it may end where another loop or slit does.
         if (before == after)
-          open[loop[i]] += kHair * (before - at);
+          open[loop[i]] += kShort * (before - at);
         else
           open[loop[i]] += to_the_left(before, at) + to_the_left(at, after);
       }
@@ -119,7 +119,9 @@ class Slits {
   }
 
  private:
-  static constexpr double kHair = 1e-7;  ///< of a side's length
+  /// Shares of a side's length. Ends that are one vertex may miss each other in (u,v) by the file's
+  /// tolerance, beside which sides have been divided until they are short.
+  static constexpr double kHair = 1e-7, kShort = 0.01;
 
   template <class Visit>
   void for_each_side(const Visit& visit) const {
