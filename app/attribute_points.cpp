@@ -217,26 +217,32 @@ class AttributeLoop {
   /// points in the middle is cut off by a chord from edge to edge, and lacks points to either side.
   void close_behind(const Gap& gap) {
     constexpr std::size_t kMost = 16;
-    std::vector<TetId> moved;
-    const auto add = [&](TetId t) {
-      if (moved.size() < kMost && std::find(moved.begin(), moved.end(), t) == moved.end() &&
-          band_.own_region(mesh(), on_, t) != band_.region(t))
-        moved.push_back(t);
+    struct Moved {
+      TetId tet;
+      int own;  ///< region before the repair
     };
-    add(gap.tet);
-    add(mesh().neighbours[gap.tet][gap.local]);
+    std::vector<Moved> moved;
+    const auto own = [&](TetId t) { return band_.own_region(mesh(), on_, t).value_or(band_.region(t)); };
+    const auto add = [&](TetId t, int region) {
+      if (moved.size() < kMost && region != band_.region(t) &&
+          std::none_of(moved.begin(), moved.end(), [t](const Moved& m) { return m.tet == t; }))
+        moved.push_back({t, region});
+    };
+    for (const TetId t : {gap.tet, mesh().neighbours[gap.tet][gap.local]}) add(t, own(t));
     std::optional<AttributePoint> best;
     TetId at;
     for (std::size_t i = 0; i < moved.size(); ++i)
       for (int f = 0; f < 4; ++f) {
-        const TetId beyond = mesh().neighbours[moved[i]][f];
+        const auto [tet, region] = moved[i];
+        const TetId beyond = mesh().neighbours[tet][f];
         if (changed(beyond)) return;
-        add(beyond);
-        if (band_.own_region(mesh(), on_, beyond) == band_.own_region(mesh(), on_, moved[i])) continue;
-        const auto point = facet_point(model_, mesh(), on_, moved[i], f, limits_.floor);
+        const int region_beyond = own(beyond);
+        add(beyond, region_beyond);
+        if (region_beyond == region) continue;
+        const auto point = facet_point(model_, mesh(), on_, tet, f, limits_.floor);
         if (!point || (best && point->clearance <= best->clearance)) continue;
         best = point;
-        at = moved[i];
+        at = tet;
       }
     if (best) insert_at(*best, at);
   }

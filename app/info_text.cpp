@@ -165,11 +165,10 @@ std::string fault_summary(const Model& model, const PartInfo& info) {
   if (!info.contact.vertices.empty())
     text += fmt::format("  pinched vertices {} (the boundary touches itself)\n",
                         tag_list("Vertex", info.contact.vertices));
-  if (!info.embedded_faces.empty())
-    text += fmt::format("  embedded faces   {}\n", tag_list("Face", info.embedded_faces));
   if (!info.dangling_faces.empty())
     text += fmt::format("  dangling faces   {}\n", tag_list("Face", info.dangling_faces));
-  return text.empty() ? "  faults   none: every face bounds a region, every edge joins faces\n" : text;
+  return text.empty() ? "  faults   none: every face bounds a region or lies in one, every edge joins faces\n"
+                      : text;
 }
 
 const char* use_text(EdgeUse use) {
@@ -203,6 +202,8 @@ std::string part_text(const Model& model, const PartInfo& info) {
   text += smallest_lines(model, info);
   text += fmt::format("  default mesh size {:.6g} mm\n", info.default_size);
   text += name_lines(model) + change_lines(info) + left_out_lines(model);
+  if (!info.embedded_faces.empty())
+    text += fmt::format("  embedded faces   {}\n", tag_list("Face", info.embedded_faces));
   text += fault_summary(model, info);
   for (const std::string& note : model.notes()) text += fmt::format("  note     {}\n", note);
   return text;

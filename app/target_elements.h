@@ -34,7 +34,7 @@ using BoundedMesher = std::function<MeshResult(const MeshOptions&, double most)>
 /// Meshes with the default size (with_default_size()), and, where nothing was asked for, with larger ones
 /// instead of a mesh of far more than kMostByDefault tetrahedra, or of one of more that is not complete:
 /// octrees promise too little where a part has many features far below the size. The larger mesh is returned
-/// only where it alone is complete. `walls`: as above.
+/// where it alone is complete, the one of fewer elements where neither is. `walls`: as above.
 [[nodiscard]] MeshResult mesh_by_default(const Model& model, const MeshOptions& options,
                                          const BoundedMesher& mesh, WallMemo* walls = nullptr);
 

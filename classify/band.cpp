@@ -37,9 +37,11 @@ std::int32_t region_of_octree_vertices(const TetMesh& mesh, std::span<const Mode
   return region;
 }
 
-Circumcentre circumcentre_of(const TetMesh& mesh, TetId t) {
+/// Four times the squared area of face f.
+double squared_area(const TetMesh& mesh, TetId t, int f) {
   const auto& v = mesh.tets[t];
-  return circumcentre(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], mesh.points[v[3]]);
+  const Vec3 a = mesh.points[v[kTetFace[f][0]]];
+  return (mesh.points[v[kTetFace[f][1]]] - a).cross(mesh.points[v[kTetFace[f][2]]] - a).squaredNorm();
 }
 
 /// Per region tag; grown, so that a segment that meets a face meets its box.
@@ -122,6 +124,15 @@ const std::vector<int>& Band::faces_of(ModelRef on) const {
   }
 }
 
+std::optional<int> Band::own_region(const TetMesh& mesh, std::span<const ModelRef> on, TetId t) const {
+  if (mesh.ghost(t)) return 0;
+  const std::int32_t region = region_of_octree_vertices(mesh, on, t);
+  if (region != kUnknown) return region;
+  const Circumcentre c = circumcentre(mesh, t);
+  if (!c.reliable) return std::nullopt;
+  return region_of_(place_of(mesh, on, t, c.point));
+}
+
 void Band::update(const TetMesh& mesh, std::span<const ModelRef> on, std::span<const TetId> created) {
   facets_are_current_ = false;
   region_.resize(mesh.tets.size(), kUnknown);
@@ -130,16 +141,9 @@ void Band::update(const TetMesh& mesh, std::span<const ModelRef> on, std::span<c
     for (std::size_t i = range.begin(); i != range.end(); ++i) {
       const TetId t = created[i];
       if (!mesh.alive(t)) continue;
-      if (mesh.ghost(t)) {
-        region_[t] = 0;
-        continue;
-      }
-      region_[t] = region_of_octree_vertices(mesh, on, t);
-      if (region_[t] == kUnknown) {
-        const Circumcentre c = circumcentre_of(mesh, t);
-        is_flat[i] = !c.reliable;
-        if (c.reliable) region_[t] = region_of_(place_of(mesh, on, t, c.point));
-      }
+      const std::optional<int> own = own_region(mesh, on, t);
+      is_flat[i] = !own;
+      region_[t] = own.value_or(kUnknown);
     }
   });
   std::vector<TetId> flat;
@@ -182,7 +186,7 @@ void Band::forget_facets(const TetMesh& mesh, TetId t) {
   forget_faces_of(mesh, t);
   if (!has_embedded_) return;
   for (const TetId n : mesh.neighbours[t])
-    if (!mesh.ghost(n) && !circumcentre_of(mesh, n).reliable) forget_faces_of(mesh, n);
+    if (!mesh.ghost(n) && !circumcentre(mesh, n).reliable) forget_faces_of(mesh, n);
 }
 
 void Band::forget_faces_of(const TetMesh& mesh, TetId t) {
@@ -256,10 +260,7 @@ void Band::label_flat(const TetMesh& mesh, const std::vector<TetId>& flat) {
       for (int f = 0; f < 4; ++f) {
         const int r = region_[mesh.neighbours[t][f]];
         if (r == kUnknown) continue;
-        const auto& v = mesh.tets[t];
-        const Vec3 a = mesh.points[v[kTetFace[f][0]]];
-        const double area =
-            (mesh.points[v[kTetFace[f][1]]] - a).cross(mesh.points[v[kTetFace[f][2]]] - a).squaredNorm();
+        const double area = squared_area(mesh, t, f);
         if (area > largest) {
           largest = area;
           best = r;
@@ -280,7 +281,7 @@ void Band::label_flat(const TetMesh& mesh, const std::vector<TetId>& flat) {
 /// facet between is on it.
 Vec3 Band::side_place(const TetMesh& mesh, TetId t, int steps) const {
   const auto& v = mesh.tets[t];
-  const Circumcentre c = circumcentre_of(mesh, t);
+  const Circumcentre c = circumcentre(mesh, t);
   const Vec3 middle = 0.25 * (mesh.points[v[0]] + mesh.points[v[1]] + mesh.points[v[2]] + mesh.points[v[3]]);
   if (c.reliable) {
     // One that lies on the face itself goes where the tetrahedron is.
@@ -292,15 +293,8 @@ Vec3 Band::side_place(const TetMesh& mesh, TetId t, int steps) const {
     return is_near && model_->closest(c.point, on_it) ? Vec3(c.point + kAside * (middle - c.point)) : c.point;
   }
   int largest = 0;
-  double most = -1.0;
-  for (int f = 0; f < 4; ++f) {
-    const Vec3 a = mesh.points[v[kTetFace[f][0]]];
-    const double area =
-        (mesh.points[v[kTetFace[f][1]]] - a).cross(mesh.points[v[kTetFace[f][2]]] - a).squaredNorm();
-    if (area <= most) continue;
-    most = area;
-    largest = f;
-  }
+  for (int f = 1; f < 4; ++f)
+    if (squared_area(mesh, t, f) > squared_area(mesh, t, largest)) largest = f;
   const TetId n = mesh.neighbours[t][largest];
   return steps == 0 || region_[n] != region_[t] ? middle : side_place(mesh, n, steps - 1);
 }
@@ -331,14 +325,6 @@ int Band::passage(const TetMesh& mesh, TetId from, TetId to) const {
   std::erase_if(hits, [&](const Hit& hit) { return !is_through_embedded(hit); });
   if (hits.size() % 2 == 0) return 0;
   return (hits.front().normal.dot(q - p) > 0.0) != swapped ? 1 : -1;
-}
-
-int Band::own_region(const TetMesh& mesh, std::span<const ModelRef> on, TetId t) const {
-  if (mesh.ghost(t)) return 0;
-  const std::int32_t region = region_of_octree_vertices(mesh, on, t);
-  if (region != kUnknown) return region;
-  const Circumcentre c = circumcentre_of(mesh, t);
-  return c.reliable ? region_of_(place_of(mesh, on, t, c.point)) : region_[t];
 }
 
 bool Band::is_facet(const TetMesh& mesh, TetId t, std::int8_t f) const {

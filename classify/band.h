@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <unordered_map>
 #include <utility>
@@ -82,8 +83,9 @@ class Band {
                             std::span<const std::uint32_t> pieces);
 
   [[nodiscard]] int region(TetId t) const { return region_[t]; }
-  /// Region that update() gave the tetrahedron, before any repair; that of now where it is flat.
-  [[nodiscard]] int own_region(const TetMesh& mesh, std::span<const ModelRef> on, TetId t) const;
+  /// Region that the tetrahedron has by itself, before any repair; none where it is flat.
+  [[nodiscard]] std::optional<int> own_region(const TetMesh& mesh, std::span<const ModelRef> on,
+                                              TetId t) const;
   /// Whether face f of t is a facet, of t or of its neighbour.
   [[nodiscard]] bool is_facet(const TetMesh& mesh, TetId t, std::int8_t f) const;
   /// Region of the model that holds p, 0 outside.

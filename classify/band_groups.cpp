@@ -122,8 +122,7 @@ int Band::region_beside(const TetMesh& mesh, TetId t, const EdgePiece& piece) co
 Band::Voice Band::voice_of(const TetMesh& mesh, std::span<const ModelRef> on, const EdgeChains& chains,
                            TetId t) const {
   const auto& v = mesh.tets[t];
-  const Circumcentre c =
-      circumcentre(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], mesh.points[v[3]]);
+  const Circumcentre c = circumcentre(mesh, t);
   Voice voice{c.reliable ? region_of_(c.point) : kNowhere, {}};
   for (std::size_t e = 0; e < voice.beside.size(); ++e) {
     const std::uint32_t n = piece_of(mesh, on, chains, t, kTetEdge[e]);

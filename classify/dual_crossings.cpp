@@ -21,8 +21,7 @@ struct DualEnd {
 DualEnd dual_end(const TetMesh& mesh, TetId tet, const Vec3& fallback) {
   if (!mesh.ghost(tet)) {
     const auto& v = mesh.tets[tet];
-    const Circumcentre c =
-        circumcentre(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], mesh.points[v[3]]);
+    const Circumcentre c = circumcentre(mesh, tet);
     if (c.reliable) return {c.point, true};
   }
   return {fallback, false};

@@ -446,8 +446,7 @@ void meet_towards_octree_vertices(const Model& model, const TetMesh& mesh, std::
                                   TetId tet, std::vector<Hit>& hits) {
   if (mesh.ghost(tet)) return;
   const auto& corners = mesh.tets[tet];
-  const Circumcentre c = circumcentre(mesh.points[corners[0]], mesh.points[corners[1]],
-                                      mesh.points[corners[2]], mesh.points[corners[3]]);
+  const Circumcentre c = circumcentre(mesh, tet);
   if (!c.reliable) return;
   std::vector<Hit> between;
   for (const VertexId v : corners) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/vec.h"
+#include "mesh/tet_mesh.h"
 
 namespace octet {
 
@@ -14,5 +15,9 @@ struct Circumcentre {
   bool reliable = false;
 };
 [[nodiscard]] Circumcentre circumcentre(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+[[nodiscard]] inline Circumcentre circumcentre(const TetMesh& mesh, TetId t) {
+  const auto& v = mesh.tets[t];
+  return circumcentre(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], mesh.points[v[3]]);
+}
 
 }  // namespace octet

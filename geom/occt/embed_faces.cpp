@@ -6,42 +6,17 @@
 
 #include <BOPAlgo_Builder.hxx>
 #include <Standard_Failure.hxx>
-#include <TopTools_IndexedMapOfShape.hxx>
+#include <algorithm>
 #include <cmath>
 
 #include "geom/occt/gathered.h"
 #include "geom/occt/shape_measures.h"
-#include "geom/occt/sub_shapes.h"
 
 namespace octet {
 namespace {
 
 /// Share of a solid's volume that it may be off by once its faces are split.
 constexpr double kSameVolume = 1e-6;
-
-TopTools_IndexedMapOfShape faces_of(const std::vector<TopoDS_Shape>& solids) {
-  return sub_shapes(compound_of(solids), TopAbs_FACE);
-}
-
-/// Numbers as read of the faces that are in no solid, and what has become of them.
-struct LooseFaces {
-  std::vector<int> numbers;
-  std::vector<TopoDS_Shape> faces;
-};
-
-LooseFaces loose_faces(const ShapeMaps& as_read, const SolidSet& set) {
-  const TopTools_IndexedMapOfShape used = faces_of(set.solids);
-  LooseFaces loose;
-  for (int number = 1; number <= as_read.of[2].Extent(); ++number) {
-    const TopTools_ListOfShape images = images_of(as_read.of[2](number), set);
-    bool is_used = images.IsEmpty();
-    for (const TopoDS_Shape& image : images) is_used = is_used || used.Contains(image);
-    if (is_used) continue;
-    loose.numbers.push_back(number);
-    for (const TopoDS_Shape& image : images) loose.faces.push_back(image);
-  }
-  return loose;
-}
 
 /// What the fuse made of each solid.
 class Embedding {
@@ -100,19 +75,14 @@ void embed_faces(const ShapeMaps& as_read, SolidSet& set) {
   }
   set.solids = std::move(solids);
   set.history->Merge(embedding.history());
-  const TopTools_IndexedMapOfShape now = faces_of(set.solids);
-  int count = 0, first = 0;
-  for (const int number : loose.numbers) {
-    bool is_in = false;
-    for (const TopoDS_Shape& image : images_of(as_read.of[2](number), set))
-      is_in = is_in || now.Contains(image);
-    if (is_in && count++ == 0) first = number;
-  }
+  const std::vector<int> left = loose_faces(as_read, set).numbers;
+  const std::size_t count = loose.numbers.size() - left.size();
+  const auto first = std::mismatch(left.begin(), left.end(), loose.numbers.begin()).second;
   if (count == 0)
     set.notes.push_back("no loose face lies in a solid: none is embedded");
   else
     set.notes.push_back(
-        fmt::format("{} loose face(s) are embedded in solids, the first is Face {}", count, first));
+        fmt::format("{} loose face(s) are embedded in solids, the first is Face {}", count, *first));
   if (parted > 0)
     set.notes.push_back(fmt::format("{} solid(s) are parted by faces that reach across them", parted));
 }

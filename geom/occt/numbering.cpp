@@ -83,8 +83,9 @@ std::vector<int> tags_of(const Trace& trace) {
 
 /// A face embedded in a solid has no side there, and none of its edges as seen through it: it gets one.
 TopoDS_Shape with_a_side(const TopoDS_Shape& entity) {
-  const bool is_embedded = entity.ShapeType() == TopAbs_FACE && entity.Orientation() != TopAbs_REVERSED;
-  return is_embedded ? entity.Oriented(TopAbs_FORWARD) : entity;
+  const TopAbs_Orientation way = entity.Orientation();
+  const bool has_none = way == TopAbs_INTERNAL || way == TopAbs_EXTERNAL;
+  return entity.ShapeType() == TopAbs_FACE && has_none ? entity.Oriented(TopAbs_FORWARD) : entity;
 }
 
 void number_dimension(int dim, const ShapeMaps& as_read, const ShapeMaps& final, const SolidSet& set,

@@ -28,17 +28,6 @@
 namespace octet {
 namespace {
 
-/// The faces of `shape` that lie in none of the given solids.
-std::vector<TopoDS_Shape> loose_faces(const ShapeMaps& maps, const std::vector<TopoDS_Shape>& solids) {
-  TopTools_MapOfShape used;
-  for (const TopoDS_Shape& solid : solids)
-    for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next()) used.Add(it.Current());
-  std::vector<TopoDS_Shape> loose;
-  for (int i = 1; i <= maps.of[2].Extent(); ++i)
-    if (!used.Contains(maps.of[2](i))) loose.push_back(maps.of[2](i));
-  return loose;
-}
-
 /// A bounded middle point of an edge, by its vertices when it has no curve.
 Vec3 place_of(const TopoDS_Edge& edge) {
   double first = 0.0, last = 0.0;
@@ -107,6 +96,21 @@ TopTools_ListOfShape images_of(const TopoDS_Shape& shape, const SolidSet& set) {
   return images;
 }
 
+LooseFaces loose_faces(const ShapeMaps& as_read, const SolidSet& set) {
+  TopTools_MapOfShape used;
+  for (const TopoDS_Shape& solid : set.solids)
+    for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next()) used.Add(it.Current());
+  LooseFaces loose;
+  for (int number = 1; number <= as_read.of[2].Extent(); ++number) {
+    const TopTools_ListOfShape images = images_of(as_read.of[2](number), set);
+    const auto is_used = [&](const TopoDS_Shape& image) { return used.Contains(image); };
+    if (images.IsEmpty() || std::any_of(images.begin(), images.end(), is_used)) continue;
+    loose.numbers.push_back(number);
+    loose.faces.insert(loose.faces.end(), images.begin(), images.end());
+  }
+  return loose;
+}
+
 int number_as_read(int dim, const TopoDS_Shape& shape, const ShapeMaps& as_read, const SolidSet& set) {
   const TopTools_IndexedMapOfShape& entities = as_read.of[dim];
   if (const int number = entities.FindIndex(shape); number > 0) return number;
@@ -164,7 +168,7 @@ SolidSet collect_solids(const TopoDS_Shape& shape, const ShapeMaps& as_read, con
     set.notes.push_back(fmt::format("{} closed shell(s) taken as solid(s)", shells.size()));
     set.solids.insert(set.solids.end(), shells.begin(), shells.end());
   }
-  const auto loose = loose_faces(as_read, set.solids);
+  const std::vector<TopoDS_Shape> loose = loose_faces(as_read, set).faces;
   const Sewn sewn = loose.empty() ? Sewn{} : sew_faces(loose, sewing);
   if (!sewn.shape.IsNull() && (set.solids.empty() || !sewn.solids.empty())) set.history->Merge(sewn.history);
   if (!sewn.solids.empty()) {

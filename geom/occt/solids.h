@@ -32,6 +32,14 @@ struct SolidSet {
 /// What became of an entity of the shape as read; itself where nothing did, nothing where it was removed.
 [[nodiscard]] TopTools_ListOfShape images_of(const TopoDS_Shape& shape, const SolidSet& set);
 
+/// Faces of the shape as read of which nothing is in a solid of the set: their numbers, and what became of
+/// them.
+struct LooseFaces {
+  std::vector<int> numbers;
+  std::vector<TopoDS_Shape> faces;
+};
+[[nodiscard]] LooseFaces loose_faces(const ShapeMaps& as_read, const SolidSet& set);
+
 /// The number of what became `shape`, an entity of the set of this dimension; of the first, where several
 /// did; 0: none.
 [[nodiscard]] int number_as_read(int dim, const TopoDS_Shape& shape, const ShapeMaps& as_read,

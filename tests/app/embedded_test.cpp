@@ -159,17 +159,13 @@ TEST(Embedded, AFaceOutsideOfAllSolidsIsAFaultAndNothingElse) {
 /// A cube and a square beside it, in it, or through its wall, which share nothing.
 class EmbedCommand : public ::testing::Test {
  protected:
-  void write(const gp_Ax3& place) {
+  void write(const gp_Ax3& place, double half = 0.5) {
     TopoDS_Compound all;
     const BRep_Builder builder;
     builder.MakeCompound(all);
     builder.Add(all, cube());
-    builder.Add(all, square(place, 0.5));
+    builder.Add(all, square(place, half));
     ASSERT_TRUE(BRepTools::Write(all, part_.c_str()));
-  }
-  [[nodiscard]] ProgramRun run(const std::string& verb, std::vector<std::string> rest) const {
-    rest.insert(rest.begin(), verb);
-    return run_octet(rest);
   }
   TemporaryDirectory out_;
   std::string part_ = out_.file("part.brep"), mesh_ = out_.file("part.msh");
@@ -177,18 +173,18 @@ class EmbedCommand : public ::testing::Test {
 
 TEST_F(EmbedCommand, LooseFacesAreLeftOutUnlessItIsAskedFor) {
   write(gp_Ax3({1, 1, 1}, gp::DZ()));
-  const ProgramRun without = run("mesh", {part_, "-o", mesh_});
+  const ProgramRun without = run_octet({"mesh", part_, "-o", mesh_});
   EXPECT_EQ(without.exit_code, kExitComplete);
   EXPECT_NE(without.out.find("1 Face number(s) of the file bound no volume and are left out"),
             std::string::npos);
-  const ProgramRun with = run("mesh", {part_, "-o", mesh_, "--embed", "--size-at", "Face7=0.1"});
+  const ProgramRun with = run_octet({"mesh", part_, "-o", mesh_, "--embed", "--size-at", "Face7=0.1"});
   ASSERT_EQ(with.exit_code, kExitComplete) << with.out << with.err;
   EXPECT_NE(with.out.find("1 loose face(s) are embedded in solids, the first is Face 7"), std::string::npos)
       << with.out;
   EXPECT_EQ(with.out.find("left out"), std::string::npos) << with.out;
-  EXPECT_EQ(run("check", {mesh_, part_, "--embed"}).exit_code, kExitComplete);
-  EXPECT_EQ(run("check", {mesh_, part_}).exit_code, kExitIncomplete);
-  const ProgramRun info = run("info", {part_, "--embed"});
+  EXPECT_EQ(run_octet({"check", mesh_, part_, "--embed"}).exit_code, kExitComplete);
+  EXPECT_EQ(run_octet({"check", mesh_, part_}).exit_code, kExitIncomplete);
+  const ProgramRun info = run_octet({"info", part_, "--embed"});
   EXPECT_NE(info.out.find("embedded faces   Face7"), std::string::npos) << info.out;
   EXPECT_EQ(info.out.find("free edges"), std::string::npos) << info.out;
   EXPECT_NE(info.out.find("area 25 mm^2"), std::string::npos) << info.out;
@@ -196,29 +192,24 @@ TEST_F(EmbedCommand, LooseFacesAreLeftOutUnlessItIsAskedFor) {
 
 TEST_F(EmbedCommand, OnlyWhatIsWithinIsEmbeddedAndTheWallGetsTheEdge) {
   write(gp_Ax3({0, 1, 1}, gp::DZ()));
-  const ProgramRun with = run("mesh", {part_, "-o", mesh_, "--embed"});
+  const ProgramRun with = run_octet({"mesh", part_, "-o", mesh_, "--embed"});
   ASSERT_EQ(with.exit_code, kExitComplete) << with.out << with.err;
   EXPECT_EQ(with.out.find("touches"), std::string::npos) << with.out;
-  const ProgramRun info = run("info", {part_, "--embed"});
+  const ProgramRun info = run_octet({"info", part_, "--embed"});
   EXPECT_NE(info.out.find("area 24.5 mm^2"), std::string::npos) << info.out;
 }
 
 TEST_F(EmbedCommand, AFaceOutsideIsToldAndNoneIsAskedForWithoutFusing) {
   write(gp_Ax3({5, 1, 1}, gp::DZ()));
-  const ProgramRun with = run("mesh", {part_, "-o", mesh_, "--embed"});
+  const ProgramRun with = run_octet({"mesh", part_, "-o", mesh_, "--embed"});
   EXPECT_EQ(with.exit_code, kExitComplete);
   EXPECT_NE(with.out.find("no loose face lies in a solid"), std::string::npos) << with.out;
-  EXPECT_EQ(run("mesh", {part_, "-o", mesh_, "--embed", "--no-fuse"}).exit_code, kExitBadInput);
+  EXPECT_EQ(run_octet({"mesh", part_, "-o", mesh_, "--embed", "--no-fuse"}).exit_code, kExitBadInput);
 }
 
 TEST_F(EmbedCommand, AFaceAcrossASolidPartsIt) {
-  TopoDS_Compound all;
-  const BRep_Builder builder;
-  builder.MakeCompound(all);
-  builder.Add(all, cube());
-  builder.Add(all, square(gp_Ax3({1, 1, 0.5}, gp::DZ()), 3));
-  ASSERT_TRUE(BRepTools::Write(all, part_.c_str()));
-  const ProgramRun with = run("mesh", {part_, "-o", mesh_, "--embed"});
+  write(gp_Ax3({1, 1, 0.5}, gp::DZ()), 3);
+  const ProgramRun with = run_octet({"mesh", part_, "-o", mesh_, "--embed"});
   ASSERT_EQ(with.exit_code, kExitComplete) << with.out << with.err;
   EXPECT_NE(with.out.find("1 solid(s) are parted by faces that reach across them"), std::string::npos)
       << with.out;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Two to five solids that touch, are inserted in each other, or nearly so.
+// Two to five solids that touch, are inserted in each other, or nearly so; sheets within a solid.
 #include <BOPAlgo_Builder.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>

@@ -19,7 +19,6 @@ struct PartKind {
 [[nodiscard]] std::vector<PartKind> turned_kinds();     ///< shafts, flanges, threads, springs, gears, wheels
 [[nodiscard]] std::vector<PartKind> thin_kinds();       ///< shells, sheets, tubes, fins, wires
 [[nodiscard]] std::vector<PartKind> free_form_kinds();  ///< lofts, sweeps, spline faces, castings
-[[nodiscard]] std::vector<PartKind>
-joined_kinds();  ///< two to five solids that touch or are inserted, sheets
+[[nodiscard]] std::vector<PartKind> joined_kinds();     ///< solids that touch or are inserted, sheets
 
 }  // namespace octet::test
