@@ -110,8 +110,6 @@ void append_report(const Model& body, const MeshReport& part, MeshReport& report
   }
 }
 
-bool is_outside(const ModelFace& face) { return face.region[0] == 0 && face.region[1] == 0; }
-
 Fault not_meshed(const Model& model, int face) {
   Fault fault;
   fault.entity = model_face(face);
@@ -245,7 +243,7 @@ std::vector<std::vector<SizeAttribute>> attributes_of(const Model& model, const 
 bool is_meshed_apart(const Model& model) {
   if (model.parts().apart) return true;
   for (int f = 1; f <= model.count(2); ++f)
-    if (is_outside(model.face(f))) return true;
+    if (model.is_outside(f)) return true;
   return false;
 }
 
@@ -270,7 +268,7 @@ MeshResult mesh_apart(const Model& model, const MeshOptions& options, Observer& 
   }
   whole.report.quality = quality_summary(whole.mesh);
   for (int f = 1; f <= model.count(2); ++f)
-    if (is_outside(model.face(f))) whole.report.faults.push_back(not_meshed(model, f));
+    if (model.is_outside(f)) whole.report.faults.push_back(not_meshed(model, f));
   if (!whole.report.faults.empty()) whole.report.status = MeshStatus::kIncomplete;
   return whole;
 }

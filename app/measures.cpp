@@ -29,8 +29,7 @@ void set_areas(const std::vector<double>& area_on, const Model& model, MeshRepor
   report.area = std::accumulate(area_on.begin(), area_on.end(), 0.0);
   report.cad_area = report.area_off = 0.0;
   for (int f = 1; f <= model.count(2); ++f) {
-    const auto& region = model.face(f).region;
-    if (region[0] == 0 && region[1] == 0) continue;
+    if (model.is_outside(f)) continue;
     report.cad_area += model.face(f).area;
     report.area_off += std::abs(area_on[static_cast<std::size_t>(f)] - model.face(f).area);
   }

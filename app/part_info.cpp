@@ -40,7 +40,7 @@ void add_faces(const Model& model, PartInfo& info) {
   for (int f = 1; f <= model.count(2); ++f) {
     const ModelFace& face = model.face(f);
     if (info.smallest_face == 0 || face.area < model.face(info.smallest_face).area) info.smallest_face = f;
-    if (face.region[0] == 0 && face.region[1] == 0) {
+    if (model.is_outside(f)) {
       info.dangling_faces.push_back(f);
       continue;
     }
@@ -53,7 +53,7 @@ std::vector<Interface> interfaces_of(const Model& model) {
   std::map<std::array<int, 2>, Interface> by_regions;
   for (int f = 1; f <= model.count(2); ++f) {
     const ModelFace& face = model.face(f);
-    if (face.region[0] == 0 || face.region[1] == 0 || face.region[0] == face.region[1]) continue;
+    if (face.region[0] == 0 || face.region[1] == 0 || model.is_embedded(f)) continue;
     const auto [low, high] = std::minmax(face.region[0], face.region[1]);
     Interface& shared = by_regions[{low, high}];
     shared.regions = {low, high};

@@ -28,7 +28,7 @@ const RegionMeasure* least_alike(const std::vector<RegionMeasure>& regions) {
 double size_that_rounds(const Model& model, int region) {
   double area = 0.0;
   for (const int f : model.region(region).faces)
-    if (model.face(f).region[0] != model.face(f).region[1]) area += model.face(f).area;
+    if (!model.is_embedded(f)) area += model.face(f).area;
   return area > 0.0 ? model.region(region).volume / area : 0.0;
 }
 

@@ -172,7 +172,7 @@ class GapFinder {
     std::vector<int> faces;
     for (const int f : model_.edge(edge).faces)
       for (const FaceBoundary& b : model_.face(f).boundary)
-        if (b.edge == edge && is_in_the_mesh(f)) faces.push_back(f);
+        if (b.edge == edge && !model_.is_outside(f)) faces.push_back(f);
     std::sort(faces.begin(), faces.end());
     return faces;
   }
@@ -253,7 +253,7 @@ class GapFinder {
   void vertices(const FacetsAtVertices& around, const std::vector<BrokenFan>& broken) {
     for (const BrokenFan& fan : broken) add_facet(GapKind::kVertexFan, fan.facet, on_[fan.vertex.index()]);
     for (std::uint32_t v = 0; v < on_.size(); ++v)
-      if (on_[v].dim == 2 && is_asked(v) && around[VertexId(v)].empty() && is_in_the_mesh(on_[v].tag)) {
+      if (on_[v].dim == 2 && is_asked(v) && around[VertexId(v)].empty() && !model_.is_outside(on_[v].tag)) {
         Gap gap;
         gap.kind = GapKind::kBareVertex;
         gap.entity = on_[v];
@@ -297,7 +297,7 @@ class GapFinder {
     std::vector<std::uint8_t> covered(static_cast<std::size_t>(model_.count(2)) + 1, 0);
     for (const BoundaryFacet& f : *facets_) covered[static_cast<std::size_t>(f.face)] = 1;
     for (int face = 1; face <= model_.count(2); ++face) {
-      if (covered[static_cast<std::size_t>(face)] || !is_in_the_mesh(face)) continue;
+      if (covered[static_cast<std::size_t>(face)] || model_.is_outside(face)) continue;
       Gap gap;
       gap.kind = GapKind::kBareFace;
       gap.entity = model_face(face);
@@ -307,12 +307,6 @@ class GapFinder {
       gap.place = facet_corners(exact, static_cast<std::size_t>(first - exact.face.begin()))[0];
       gaps_.push_back(gap);
     }
-  }
-
-  /// Not a face outside of all regions.
-  [[nodiscard]] bool is_in_the_mesh(int face) const {
-    const auto& region = model_.face(face).region;
-    return region[0] != 0 || region[1] != 0;
   }
 
   /// Whether the facets around a vertex are as they should be, or not so in a way that is reported elsewhere.
@@ -339,7 +333,7 @@ class GapFinder {
     int n = 0;
     for (int f = 1; f <= model_.count(2); ++f) {
       const auto& own = model_.face(f).vertices;
-      if (!std::binary_search(own.begin(), own.end(), vertex) || !is_in_the_mesh(f)) continue;
+      if (!std::binary_search(own.begin(), own.end(), vertex) || model_.is_outside(f)) continue;
       bool edged = false;
       for (const int e : model_.vertex(vertex).edges) {
         const ModelEdge& edge = model_.edge(e);

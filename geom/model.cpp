@@ -148,6 +148,16 @@ std::string Model::describe(ModelRef entity) const {
 const Box3& Model::box() const { return data_->box; }
 double Model::diagonal() const { return data_->diagonal; }
 double Model::tolerance() const { return data_->tolerance; }
+bool Model::is_embedded(int face_tag) const {
+  const auto& region = face(face_tag).region;
+  return region[0] != 0 && region[0] == region[1];
+}
+
+bool Model::is_outside(int face_tag) const {
+  const auto& region = face(face_tag).region;
+  return region[0] == 0 && region[1] == 0;
+}
+
 double Model::tolerance_of(ModelRef entity) const {
   switch (entity.dim) {
     case 0:
@@ -163,11 +173,6 @@ double Model::tolerance_of(ModelRef entity) const {
 const Facets& Model::facets() const { return data_->parts.facets; }
 const FacetBvh& Model::bvh() const { return data_->bvh; }
 const Surface& Model::surface(int face_tag) const { return *tagged(data_->parts.surfaces, face_tag); }
-bool Model::is_embedded(int face_tag) const {
-  const auto& region = face(face_tag).region;
-  return region[0] != 0 && region[0] == region[1];
-}
-
 bool Model::is_plane(int face_tag) const { return data_->is_plane[static_cast<std::size_t>(face_tag)]; }
 const Curve& Model::curve(int edge_tag) const { return *tagged(data_->parts.curves, edge_tag); }
 

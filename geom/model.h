@@ -160,6 +160,8 @@ class Model {
   [[nodiscard]] bool in_closure(ModelRef part, ModelRef whole) const;
   /// Whether the face lies within a region, the same on both of its sides (a baffle, a crack).
   [[nodiscard]] bool is_embedded(int face_tag) const;
+  /// Whether it lies outside of all regions, and so is no part of a mesh.
+  [[nodiscard]] bool is_outside(int face_tag) const;
   /// `Face 12 "bore"`: the entity as the user knows it.
   [[nodiscard]] std::string describe(ModelRef entity) const;
 
