@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "base/error.h"
+#include "io/face_sides.h"
 #include "io/msh_entities.h"
 #include "io/set_names.h"
-#include "mesh/face_uses.h"
 
 namespace octet {
 namespace {
@@ -57,13 +57,7 @@ void write_elements(OutputFile& file, const Mesh& mesh, const std::string& name,
 /// The nodes of these elements of a dimension, ascending, as a set.
 void write_node_set(OutputFile& file, const Mesh& mesh, const ElementGroups& groups, int dim,
                     const std::vector<std::uint32_t>& items, const std::string& name) {
-  std::vector<std::uint64_t> nodes;
-  for (const std::uint32_t i : items) {
-    std::uint64_t own[kMostNodes];
-    nodes.insert(nodes.end(), own, own + element_nodes(mesh, groups, dim, i, own));
-  }
-  std::sort(nodes.begin(), nodes.end());
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  const std::vector<std::uint64_t> nodes = nodes_of_elements(mesh, groups, dim, items);
   std::string text = fmt::format("*NSET, NSET={}\n", name);
   for (std::size_t k = 0; k < nodes.size(); ++k)
     text +=
@@ -71,34 +65,13 @@ void write_node_set(OutputFile& file, const Mesh& mesh, const ElementGroups& gro
   file.write(text);
 }
 
-/// The tetrahedron that the triangle's normal points out of, or the only one there is.
-const FaceUse& side_of(std::span<const FaceUse> uses, const std::array<Mesh::Index, 3>& triangle) {
-  const bool even = sorted_face(triangle).even;
-  const auto out = std::find_if(uses.begin(), uses.end(), [&](const FaceUse& u) { return u.even == even; });
-  return out == uses.end() ? uses.front() : *out;
-}
-
-void write_surface(OutputFile& file, const Mesh& mesh, const FaceUses& uses, const std::string& name,
+void write_surface(OutputFile& file, const Mesh& mesh, const FaceSides& sides, const std::string& name,
                    const std::vector<std::uint32_t>& triangles) {
   std::string text = fmt::format("*SURFACE, NAME={}, TYPE=ELEMENT\n", name);
-  for (const std::uint32_t i : triangles) {
-    const auto beside = uses.find(mesh.triangles[i]);
-    if (beside.empty()) continue;  // a triangle of no tetrahedron has no side to tell
-    const FaceUse& use = side_of(beside, mesh.triangles[i]);
-    const auto& tet = mesh.tets[use.tet];
-    for (std::size_t k = 0; k < 4; ++k)
-      if (std::find(use.v.begin(), use.v.end(), tet[k]) == use.v.end())
-        text += fmt::format("{}, S{}\n", use.tet + 1, kSideWithout[k]);
-  }
+  for (const std::uint32_t i : triangles)
+    if (const auto side = sides.of(mesh.triangles[i]))  // a triangle of no tetrahedron has no side to tell
+      text += fmt::format("{}, S{}\n", side->tet + 1, kSideWithout[side->lacking]);
   file.write(text);
-}
-
-/// Faces whose vertices all lie on the boundary are the only ones that can be asked for.
-FaceUses boundary_uses(const Mesh& mesh) {
-  std::vector<std::uint8_t> on_boundary(mesh.points.size(), 0);
-  for (const auto& triangle : mesh.triangles)
-    for (const Mesh::Index v : triangle) on_boundary[v] = 1;
-  return {mesh, on_boundary};
 }
 
 }  // namespace
@@ -113,7 +86,7 @@ void write_inp(OutputFile& file, const Mesh& mesh, const ModelOutline& outline, 
   write_nodes(file, mesh, scale);
   for (const auto& [ref, items] : groups.items)
     if (ref.dim == 3) write_elements(file, mesh, names.at(ref), items);
-  const FaceUses uses = boundary_uses(mesh);
+  const FaceSides sides(mesh);
   for (const auto& [ref, items] : groups.items) {
     const std::string& name = names.at(ref);
     if (ref.dim == 0) {
@@ -122,7 +95,7 @@ void write_inp(OutputFile& file, const Mesh& mesh, const ModelOutline& outline, 
       write_node_set(file, mesh, groups, 1, items, name);
     } else if (ref.dim == 2) {
       write_node_set(file, mesh, groups, 2, items, name);
-      write_surface(file, mesh, uses, name, items);
+      write_surface(file, mesh, sides, name, items);
     }
   }
 }

@@ -157,6 +157,18 @@ int element_nodes(const Mesh& mesh, const ElementGroups& groups, int dim, std::u
   return n;
 }
 
+std::vector<std::uint64_t> nodes_of_elements(const Mesh& mesh, const ElementGroups& groups, int dim,
+                                             const std::vector<std::uint32_t>& items) {
+  std::vector<std::uint64_t> nodes;
+  for (const std::uint32_t i : items) {
+    std::uint64_t own[kMostNodes];
+    nodes.insert(nodes.end(), own, own + element_nodes(mesh, groups, dim, i, own));
+  }
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  return nodes;
+}
+
 std::map<ModelRef, std::string> physical_names(const ModelOutline& outline, const ElementGroups& groups) {
   std::map<std::string, int> uses;
   for (const auto& entities : outline.entities)

@@ -47,6 +47,10 @@ inline constexpr std::size_t kMostNodes = 10;
 int element_nodes(const Mesh& mesh, const ElementGroups& groups, int dim, std::uint32_t i,
                   std::uint64_t nodes[kMostNodes]);
 
+/// Nodes of these elements of a dimension, each once, as tags from 1, ascending.
+[[nodiscard]] std::vector<std::uint64_t> nodes_of_elements(const Mesh& mesh, const ElementGroups& groups,
+                                                           int dim, const std::vector<std::uint32_t>& items);
+
 /// Names of the physical groups by entity: every entity that has elements or a name is one, by its name or
 /// as `Face12`, for some readers skip what is in no group, and some take files in which all is or nothing.
 /// Names are unique, at most 127 bytes, free of quotes and control characters. The number of a group is its

@@ -10,6 +10,7 @@
 
 #include "base/check.h"
 #include "base/error.h"
+#include "io/bdf_write.h"
 #include "io/inp_write.h"
 #include "io/msh_write.h"
 #include "io/output_file.h"
@@ -19,7 +20,7 @@
 namespace octet {
 namespace {
 
-constexpr const char* kNames = "msh, msh41, msh41-ascii, msh22, msh22-ascii, vtu, inp, unv";
+constexpr const char* kNames = "msh, msh41, msh41-ascii, msh22, msh22-ascii, vtu, inp, unv, bdf";
 
 std::string lower_case(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
@@ -39,6 +40,7 @@ MeshFormat mesh_format(const std::filesystem::path& path, const std::string& nam
     if (wanted == "vtu") return MeshFormat::kVtu;
     if (wanted == "inp") return MeshFormat::kInp;
     if (wanted == "unv") return MeshFormat::kUnv;
+    if (wanted == "bdf") return MeshFormat::kBdf;
     throw InputError(fmt::format("unknown mesh format \"{}\"; known are {}", name, kNames));
   }
   const std::string suffix = lower_case(path.extension().string());
@@ -46,7 +48,8 @@ MeshFormat mesh_format(const std::filesystem::path& path, const std::string& nam
   if (suffix == ".vtu") return MeshFormat::kVtu;
   if (suffix == ".inp") return MeshFormat::kInp;
   if (suffix == ".unv") return MeshFormat::kUnv;
-  throw InputError(fmt::format("\"{}\" ends in none of .msh, .vtu, .inp and .unv: name the format ({})",
+  if (suffix == ".bdf" || suffix == ".nas") return MeshFormat::kBdf;
+  throw InputError(fmt::format("\"{}\" ends in none of .msh, .vtu, .inp, .unv and .bdf: name the format ({})",
                                path.string(), kNames));
 }
 
@@ -77,6 +80,9 @@ void write_mesh(const std::filesystem::path& path, const Mesh& mesh, const Model
       break;
     case MeshFormat::kUnv:
       write_unv(file, mesh, outline, options.scale);
+      break;
+    case MeshFormat::kBdf:
+      write_bdf(file, mesh, outline, options.scale);
       break;
   }
   file.commit();
