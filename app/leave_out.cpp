@@ -8,6 +8,7 @@
 #include <set>
 
 #include "mesh/sort_triple.h"
+#include "mesh/tet_mesh.h"
 
 namespace octet {
 namespace {
@@ -45,6 +46,23 @@ bool bounds_a_sound_region(const Model& model, int edge, const std::vector<int>&
 std::array<Mesh::Index, 3> sorted(std::array<Mesh::Index, 3> v) {
   static_cast<void>(sort_triple(v));
   return v;
+}
+
+std::array<Mesh::Index, 2> sorted(std::array<Mesh::Index, 2> v) {
+  if (v[1] < v[0]) std::swap(v[0], v[1]);
+  return v;
+}
+
+/// Edges of tetrahedra that may lie on model edges, ascending.
+std::vector<std::array<Mesh::Index, 2>> edges_along_model_edges(const Mesh& mesh) {
+  std::vector<std::array<Mesh::Index, 2>> pairs;
+  for (const auto& t : mesh.tets)
+    for (const auto& e : kTetEdge) {
+      const std::array<Mesh::Index, 2> v{t[e[0]], t[e[1]]};
+      if (mesh.point_on[v[0]].dim <= 1 && mesh.point_on[v[1]].dim <= 1) pairs.push_back(sorted(v));
+    }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
 }
 
 /// Keeps the elements for which keep(i) holds, with what lies beside them.
@@ -95,8 +113,9 @@ void leave_out(Mesh& mesh, const Model& model, const std::vector<int>& broken) {
   std::vector<Mesh::Index> number(mesh.points.size(), 0);
   for (const auto& t : mesh.tets)
     for (const Mesh::Index v : t) number[v] = 1;
+  const auto pairs = edges_along_model_edges(mesh);
   filter(mesh.edges, mesh.edge_on, [&](std::size_t i) {
-    return number[mesh.edges[i][0]] != 0 && number[mesh.edges[i][1]] != 0 &&
+    return std::binary_search(pairs.begin(), pairs.end(), sorted(mesh.edges[i])) &&
            bounds_a_sound_region(model, mesh.edge_on[i], broken);
   });
   Mesh::Index kept = 0;

@@ -137,7 +137,7 @@ void MeshBlocks::assign_triangles_and_edges() {
           std::find_if(elements[i].begin(), elements[i].end(), [&](Index v) { return !is_shared(v); });
       if (own == elements[i].end()) {
         seam.emplace_back(sorted(elements[i]), static_cast<Index>(i));
-      } else if (block_of_[*own] != kBeyond) {
+      } else if (block_of_[*own] < kBeyond) {
         per_block[block_of_[*own]].push_back(static_cast<Index>(i));
       }
     }
@@ -189,7 +189,9 @@ void MeshBlocks::add_triangles_and_edges(std::size_t block, const std::vector<In
     std::sort(from.begin(), from.end());
     from.erase(std::unique(from.begin(), from.end()), from.end());
     for (const Index i : from) {
-      to.push_back(renumbered(elements[i], number));
+      const auto element = renumbered(elements[i], number);
+      if (std::find(element.begin(), element.end(), kNone) != element.end()) continue;  // of no tetrahedron
+      to.push_back(element);
       to_on.push_back(on[i]);
     }
   };
@@ -238,7 +240,8 @@ void MeshBlocks::keep_others(Whole& whole) const {
   };
   const auto is_of_no_block = [&](const auto& element) {
     return std::all_of(element.begin(), element.end(), [&](Index v) { return is_shared(v); }) ||
-           std::any_of(element.begin(), element.end(), [&](Index v) { return block_of_[v] == kBeyond; });
+           (std::any_of(element.begin(), element.end(), [&](Index v) { return block_of_[v] == kBeyond; }) &&
+            std::all_of(element.begin(), element.end(), [&](Index v) { return number[v] != kGone; }));
   };
   keep(mesh_.tets, mesh_.tet_in, mesh.tets, mesh.tet_in,
        [&](std::size_t t) { return block_of_tet_[t] == kBeyond; });

@@ -21,7 +21,8 @@ struct MeshBlock {
 };
 
 /// Blocks of a mesh, which must outlive them unchanged. Vertices that others hold on to are fixed in a block:
-/// tetrahedra of another block or of none, or vertices fixed in the mesh.
+/// tetrahedra of another block or of none, or vertices fixed in the mesh. Triangles and edges that are of no
+/// tetrahedron may be lost.
 class MeshBlocks {
  public:
   using Index = Mesh::Index;

@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+
 #include "app/mesh_part.h"
 #include "classify/acceptance.h"
 #include "geom/analytic.h"
@@ -45,6 +48,32 @@ TEST(LeaveOut, TheOtherRegionKeepsItsMeshAndItsSharedFace) {
     const auto on_edge = [e](const Mesh& m) { return std::count(m.edge_on.begin(), m.edge_on.end(), e); };
     EXPECT_EQ(on_edge(mesh), own ? on_edge(whole) : 0) << "edge " << e;
   }
+}
+
+/// Where gaps are, all tetrahedra around a piece of an edge may have gone with the broken region.
+TEST(LeaveOut, EdgesThatNoTetrahedronHasGoToo) {
+  const Model model = analytic_two_boxes(Vec3(1, 1, 1));
+  MeshOptions options;
+  options.size = 0.25;
+  options.threads = 1;
+  Mesh mesh = mesh_part(model, options).mesh;
+  const auto is_of = [](const std::array<Mesh::Index, 2>& edge, const std::array<Mesh::Index, 4>& tet) {
+    return std::all_of(edge.begin(), edge.end(),
+                       [&](Mesh::Index v) { return std::find(tet.begin(), tet.end(), v) != tet.end(); });
+  };
+  const auto in_region_1 = [&](const std::array<Mesh::Index, 2>& edge) {
+    for (std::size_t t = 0; t < mesh.tets.size(); ++t)
+      if (is_of(edge, mesh.tets[t]) && mesh.tet_in[t] != 1) return false;
+    return true;
+  };
+  const auto bare = *std::find_if(mesh.edges.begin(), mesh.edges.end(), in_region_1);
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t)
+    if (is_of(bare, mesh.tets[t])) mesh.tet_in[t] = 2;
+  leave_out(mesh, model, {2});
+  ASSERT_FALSE(mesh.edges.empty());
+  for (const auto& edge : mesh.edges)
+    EXPECT_TRUE(std::any_of(mesh.tets.begin(), mesh.tets.end(),
+                            [&](const std::array<Mesh::Index, 4>& tet) { return is_of(edge, tet); }));
 }
 
 /// An attempt of which only the gaps are asked.

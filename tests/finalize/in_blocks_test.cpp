@@ -80,6 +80,41 @@ TEST(MeshBlocks, PutTogetherUnchangedAreTheMesh) {
             by_places(mesh, mesh.triangles, mesh.triangle_on));
 }
 
+/// As meshes with gaps have them, and those of other programs.
+TEST(MeshBlocks, EdgesAndTrianglesOfNoTetrahedronAreNoneOfABlock) {
+  const Part part = testing::two_boxes_part(6);
+  Mesh mesh = part.mesh;
+  const std::size_t edges = mesh.edges.size(), triangles = mesh.triangles.size();
+  const auto last = static_cast<Mesh::Index>(mesh.points.size());
+  mesh.points.emplace_back(9.0, 9.0, 9.0);  // of nothing else
+  mesh.point_on.push_back(model_edge(1));
+  const std::array<Mesh::Index, 2> loose[2] = {{0, last}, {0, last - 1}};
+  for (const auto& edge : loose) {
+    mesh.edges.push_back(edge);
+    mesh.edge_on.push_back(1);
+  }
+  mesh.triangles.push_back({0, last / 2, last - 1});
+  mesh.triangle_on.push_back(1);
+  const auto expect_in_range = [](const Mesh& of) {
+    const auto all = [&](const auto& elements) {
+      for (const auto& element : elements)
+        for (const Mesh::Index v : element) EXPECT_LT(v, of.points.size());
+    };
+    all(of.edges);
+    all(of.triangles);
+  };
+  const MeshBlocks blocks(mesh, 0, {}, all_tets(mesh), 400);
+  std::vector<MeshBlock> cut;
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    cut.push_back(blocks.cut_out(b));
+    expect_in_range(cut[b].mesh);
+  }
+  const Mesh whole = blocks.put_together(cut).mesh;
+  expect_in_range(whole);
+  EXPECT_EQ(whole.edges.size(), edges);
+  EXPECT_EQ(whole.triangles.size(), triangles);
+}
+
 /// Cut where two regions meet: their interface belongs to both blocks, and is there once in the end.
 TEST(MeshBlocks, BothHaveTheTrianglesAndEdgesBetweenThem) {
   const Part part = testing::two_boxes_part(4);
