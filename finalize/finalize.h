@@ -33,7 +33,8 @@ struct FinalizeOptions {
   FinalizeScope scope = FinalizeScope::kAll;
   /// Meshes of twice as many tetrahedra and more are worked on in blocks of no more than this, side by side;
   /// what lies about their seams, once more, which costs one thread a tenth of the time (a fifth with half as
-  /// many in a block). Meshes as deep as they are wide stay whole.
+  /// many in a block). Blocks are twice as large, or four times, ..., where more than three tenths of the
+  /// mesh lie about their seams; meshes that have no two such blocks stay whole.
   std::size_t block_tets = 150'000;
   /// The first so many vertices stay where they are and keep their numbers: tetrahedra that are not given
   /// here hold on to them, beyond faces that have one tetrahedron and are no triangles.

@@ -218,12 +218,18 @@ std::optional<FinalizeReport> finalize_in_blocks(Mesh& mesh, const Model& model,
   Tets tets(mesh.tets.size());
   std::iota(tets.begin(), tets.end(), 0);
   std::size_t most = options.block_tets;
-  for (bool first = true; !tets.empty(); first = false) {
-    const MeshBlocks blocks = passage.cut(tets, most);
-    if (first && passage.share_at_seams(blocks) > kMostAtSeams) return std::nullopt;
-    Tets rest = passage.work_on(blocks, Chosen::kByScope);
+  auto blocks = std::make_optional(passage.cut(tets, most));
+  while (passage.share_at_seams(*blocks) > kMostAtSeams) {
+    most *= 2;
+    if (tets.size() < 2 * most) return std::nullopt;
+    blocks.emplace(passage.cut(tets, most));
+  }
+  while (blocks) {
+    Tets rest = passage.work_on(*blocks, Chosen::kByScope);
     if (2 * rest.size() > tets.size()) most = rest.size();  // what does not get less is taken as one
     tets = std::move(rest);
+    blocks.reset();
+    if (!tets.empty()) blocks.emplace(passage.cut(tets, most));
   }
   if (options.scope == FinalizeScope::kFast || options.scope == FinalizeScope::kAll) {
     tets = passage.short_at_rims();

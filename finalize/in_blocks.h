@@ -8,8 +8,9 @@
 
 namespace octet {
 
-/// As finalize(), in blocks that do not depend on the number of threads. None, and nothing done, where the
-/// mesh is too small for that, or as deep as it is wide, so that most of it lies about the blocks' seams.
+/// As finalize(), in blocks that do not depend on the number of threads: the smallest of `block_tets`, twice
+/// as many, ... that have little of the mesh about their seams. None, and nothing done, where there are no
+/// two of them.
 std::optional<FinalizeReport> finalize_in_blocks(Mesh& mesh, const Model& model,
                                                  const FinalizeOptions& options, Observer& observer);
 

@@ -123,7 +123,7 @@ TEST(Sizes, VerticesShapesAndRegionsGetTheirs) {
     });
   };
   for (const double size : {0.05, 0.07, 0.1}) {
-    const std::string value = "=" + std::to_string(size), what = "size " + std::to_string(size);
+    const std::string value = fmt::format("={}", size), what = fmt::format("size {}", size);
     const Mesh vertex = box_with({"Vertex@0,0,0" + value}, 0.4);
     expect_median(near(vertex, Vec3::Zero(), 1.5 * size), size, "vertex of " + what);
     const Mesh ball = box_with({"ball:1,1,1,0.3" + value}, 0.4);

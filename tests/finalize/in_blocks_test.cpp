@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstdio>
 #include <numbers>
 #include <numeric>
 #include <set>
@@ -312,6 +313,22 @@ TEST(FinalizeInBlocks, LeavesMeshesWholeThatAreAsDeepAsWide) {
   options.block_tets = 400;
   Observer observer;
   EXPECT_FALSE(finalize_in_blocks(part.mesh, part.model, options, observer).has_value());
+}
+
+/// In blocks of 200 all of the bar would lie about seams.
+TEST(FinalizeInBlocks, BlocksGetLargerUntilLittleLiesAboutTheirSeams) {
+  Part part = jittered_bar();
+  FinalizeOptions options = testing::options_of_size(0.33);
+  options.block_tets = 200;
+  Listener listener;
+  ASSERT_TRUE(finalize_in_blocks(part.mesh, part.model, options, listener).has_value());
+  ASSERT_FALSE(listener.notes.empty());
+  std::size_t tets = 0, blocks = 0;
+  ASSERT_EQ(
+      std::sscanf(listener.notes[0].c_str(), "finalization: %zu tetrahedra in %zu blocks", &tets, &blocks),
+      2);
+  EXPECT_GE(blocks, 2u);
+  EXPECT_LE(blocks, 8u);
 }
 
 /// Cancels when it is asked for the n-th time, and notes whether another thread than its own has asked.
