@@ -289,15 +289,21 @@ void triangulate_boundary(const Numbering& numbering, const ModelParts& parts,
     const Surface& surface = *parts.surfaces[tag];
     const FaceFacets made =
         facet_face(occt_jets(surface), std::string_view(surface.kind()) == "plane", polygons.loops, limits);
+    const auto place = [&] {
+      const Vec3 p = surface.evaluate(polygons.loops.uv.front(), 0).p;
+      return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x(), p.y(), p.z());
+    };
     if (made.triangles.empty())
-      throw ModelError(fmt::format("Face {} cannot be triangulated: nothing is inside its loops", tag),
-                       model_face(tag));
+      throw ModelError(
+          fmt::format("Face {} at {} cannot be triangulated: nothing is inside its loops", tag, place()),
+          model_face(tag));
     // Where the triangles fold, no number of points brings them near.
     constexpr double kMuch = 4.0;
     if (made.off > kMuch * limits.deflection)
-      throw ModelError(fmt::format("Face {} lies up to {:.3g} mm off its triangles, with {} points inside it",
-                                   tag, made.off, made.inner.size()),
-                       model_face(tag));
+      throw ModelError(
+          fmt::format("Face {} at {} lies up to {:.3g} mm off its triangles, with {} points inside it", tag,
+                      place(), made.off, made.inner.size()),
+          model_face(tag));
     FaceWriter(numbering, parts, tag).write(polygons, made);
   }
 }
