@@ -2,8 +2,11 @@
 // Thin, sharp, touching and crowded parts come out complete, however they are turned.
 #include <gtest/gtest.h>
 
+#include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepOffsetAPI_ThruSections.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 
+#include <array>
 #include <filesystem>
 #include <tuple>
 
@@ -101,6 +104,23 @@ TEST(Bugs, PartsThatOnceFailedAreComplete) {
     ++parts;
   }
   EXPECT_GE(parts, 3);
+}
+
+/// The mesh of its narrow face is nearer to the face's area than that is integrated.
+TEST(Bugs, ATwistedFaceHasTheAreaOfItsMesh) {
+  BRepOffsetAPI_ThruSections loft(true, true);
+  const std::array<std::array<gp_Pnt, 3>, 2> ends = {
+      {{gp_Pnt(606.456, -1186.5602, 40.0941), gp_Pnt(612.1974, -1155.7388, 40.1406),
+        gp_Pnt(606.5387, -1186.5755, 40.1871)},
+       {gp_Pnt(683.8539, -1197.3525, -26.8817), gp_Pnt(686.8011, -1171.7494, -28.8246),
+        gp_Pnt(684.5534, -1197.3544, -26.1207)}}};
+  for (const auto& p : ends) loft.AddWire(BRepBuilderAPI_MakePolygon(p[0], p[1], p[2], true).Wire());
+  loft.CheckCompatibility(false);
+  MeshOptions options;
+  options.size = 3.0;
+  const MeshResult result = mesh_part(model_from_shape(loft.Shape()), options);
+  EXPECT_EQ(result.report.status, MeshStatus::kComplete);
+  for (const Fault& fault : result.report.faults) ADD_FAILURE() << fault.cause;
 }
 
 INSTANTIATE_TEST_SUITE_P(AllTurns, Families,
