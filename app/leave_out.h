@@ -15,7 +15,7 @@ namespace octet {
 /// The broken regions' octants give no template tetrahedra any more. Call before extraction.
 void leave_out_octants(Attempt& attempt, const std::vector<int>& broken);
 
-/// Removes the broken regions' tetrahedra and what only they use; the order of the rest stays. What the
+/// Removes the broken regions' tetrahedra and what only they have; the order of the rest stays. What the
 /// others share with them stays as their boundary.
 void leave_out(Mesh& mesh, const Model& model, const std::vector<int>& broken);
 

@@ -11,9 +11,8 @@
 namespace octet {
 namespace {
 
-// What the measures of flat and straight entities agree to, relative; and the areas of other faces, which are
-// integrated to a few 1e-7 (a twisted patch of straight sides: 4e-7).
-constexpr double kExact = 1e-9, kIntegrated = 1e-6;
+// What the measures of flat and straight entities agree to, relative.
+constexpr double kExact = 1e-9;
 
 /// A triangle that is off by more than half of itself may not claim more for it.
 double capped_share(double share) { return std::min(share, 0.5); }
@@ -134,7 +133,7 @@ FaceSums face_sums(const ClaimInput& in, int tag, const std::vector<EdgeSums>& e
     perimeter += edges[b.edge].chords;
   }
   const double slack = face_slack(in, tag);
-  sums.area_error += (in.model.is_plane(tag) ? kExact : kIntegrated) * face.area + slack * perimeter;
+  sums.area_error += kExact * face.area + slack * perimeter;
   sums.volume_error += slack * sums.area;
   return sums;
 }

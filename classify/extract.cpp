@@ -77,22 +77,6 @@ void take_in_order(std::size_t count, const Make& make, Mesh& mesh) {
   });
 }
 
-/// Which pieces are edges of these tetrahedra: where gaps are left, all around one may be outside.
-std::vector<std::uint8_t> pieces_of(const std::vector<TetId>& kept, const TetMesh& tets,
-                                    std::span<const ModelRef> on, const EdgeChains& chains) {
-  std::vector<std::uint8_t> found(chains.pieces().size(), 0);
-  tbb::parallel_for(std::size_t{0}, kept.size(), [&](std::size_t i) {
-    const auto& v = tets.tets[kept[i]];
-    for (const auto& e : kTetEdge) {
-      const VertexId a = v[e[0]], b = v[e[1]];
-      if (on[a.index()].dim > 1 || on[b.index()].dim > 1) continue;
-      const std::uint32_t n = chains.find(a, b);
-      if (n != UINT32_MAX) std::atomic_ref(found[n]).store(1, std::memory_order_relaxed);
-    }
-  });
-  return found;
-}
-
 }  // namespace
 
 Mesh extract_mesh(Band& band, const TetMesh& tets, std::span<const Vec3> points, std::span<const ModelRef> on,
@@ -147,10 +131,8 @@ Mesh extract_mesh(Band& band, const TetMesh& tets, std::span<const Vec3> points,
     mesh.triangles[i] = v;
     mesh.triangle_on[i] = face;
   });
-  const std::vector<std::uint8_t> has_tet = pieces_of(kept, tets, on, chains);
-  for (std::size_t n = 0; n < has_tet.size(); ++n) {
-    if (has_tet[n] == 0) continue;
-    const EdgePiece& p = chains.pieces()[n];
+  for (const EdgePiece& p : chains.pieces()) {
+    if (out(p.a) == UINT32_MAX || out(p.b) == UINT32_MAX) continue;
     mesh.edges.push_back({out(p.a), out(p.b)});
     mesh.edge_on.push_back(p.edge);
   }

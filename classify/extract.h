@@ -19,8 +19,7 @@ struct ExtraTets {
   std::uint32_t first_covered = 0, last_covered = UINT32_MAX;  ///< points [first, last)
 };
 
-/// The mesh of all tetrahedra in regions, with the facets of the band as triangles and as edges those
-/// pieces of the chains that a tetrahedron has.
+/// The mesh of all tetrahedra in regions, with the facets of the band as triangles and the chains as edges.
 /// `points` and `on` hold all points, those that only `extra` uses included. Facets that fit no model face
 /// get the nearest one (they have been reported as gaps).
 [[nodiscard]] Mesh extract_mesh(Band& band, const TetMesh& tets, std::span<const Vec3> points,

@@ -98,7 +98,7 @@ void write_bdf(OutputFile& file, const Mesh& mesh, const ModelOutline& outline, 
   const ElementGroups groups = group_elements(mesh);
   const auto comment = [&](ModelRef entity, const char* what) {
     const std::string own = entity_name(entity), &name = names.at(entity);
-    return fmt::format("$ {}{}{}{}\n", own, name == own ? "" : ", " + name, what[0] == 0 ? "" : ": ", what);
+    return fmt::format("$ {}{}: {}\n", own, name == own ? "" : ", " + name, what);
   };
   file.write("$ mesh by Octet: bulk data, to be included behind BEGIN BULK\n");
   write_nodes(file, mesh, scale);
@@ -107,7 +107,7 @@ void write_bdf(OutputFile& file, const Mesh& mesh, const ModelOutline& outline, 
     const ModelRef entity = group.first;
     most[entity.dim] = std::max(most[entity.dim], entity.tag);
     if (entity.dim != 3) continue;
-    file.write(comment(entity, ""));
+    file.write(comment(entity, "its elements"));
     file.write(fmt::format("PSOLID  {:8}{:8}\n", entity.tag, entity.tag));
     write_elements(file, mesh, entity.tag, group.second);
   }

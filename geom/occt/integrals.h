@@ -22,8 +22,7 @@ struct FaceIntegrals {
 
 /// Requires a triangulation of the face: its (u,v) triangles, and the slivers between their chords and the
 /// loops, are the domain of integration. Refined where the integrand varies within a triangle.
-/// About 1e-7 relative, at most a few times that; BRepGProp needs up to minutes for that, or is wrong by
-/// percents where it is fast.
+/// Within 1e-7 relative; BRepGProp needs up to minutes for that, or is wrong by percents where it is fast.
 [[nodiscard]] FaceIntegrals integrate_face(const TopoDS_Face& face, const Surface& surface);
 
 }  // namespace octet

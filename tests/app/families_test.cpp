@@ -106,7 +106,8 @@ TEST(Bugs, PartsThatOnceFailedAreComplete) {
   EXPECT_GE(parts, 3);
 }
 
-/// The mesh of its narrow face is nearer to the face's area than that is integrated.
+/// Its narrow face has the area of a mesh of few triangles to some 1e-7: the integral must be nearer than
+/// that.
 TEST(Bugs, ATwistedFaceHasTheAreaOfItsMesh) {
   BRepOffsetAPI_ThruSections loft(true, true);
   const std::array<std::array<gp_Pnt, 3>, 2> ends = {

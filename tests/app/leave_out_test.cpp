@@ -15,12 +15,16 @@
 namespace octet {
 namespace {
 
-TEST(LeaveOut, TheOtherRegionKeepsItsMeshAndItsSharedFace) {
-  const Model model = analytic_two_boxes(Vec3(1, 1, 1));
+Mesh mesh_of(const Model& model) {
   MeshOptions options;
   options.size = 0.25;
   options.threads = 1;
-  Mesh mesh = mesh_part(model, options).mesh;
+  return mesh_part(model, options).mesh;
+}
+
+TEST(LeaveOut, TheOtherRegionKeepsItsMeshAndItsSharedFace) {
+  const Model model = analytic_two_boxes(Vec3(1, 1, 1));
+  Mesh mesh = mesh_of(model);
   const Mesh whole = mesh;
   leave_out(mesh, model, {2});
   EXPECT_TRUE(check_mesh_soundness(mesh).empty());
@@ -53,10 +57,7 @@ TEST(LeaveOut, TheOtherRegionKeepsItsMeshAndItsSharedFace) {
 /// Where gaps are, all tetrahedra around a piece of an edge may have gone with the broken region.
 TEST(LeaveOut, EdgesThatNoTetrahedronHasGoToo) {
   const Model model = analytic_two_boxes(Vec3(1, 1, 1));
-  MeshOptions options;
-  options.size = 0.25;
-  options.threads = 1;
-  Mesh mesh = mesh_part(model, options).mesh;
+  Mesh mesh = mesh_of(model);
   const auto is_of = [](const std::array<Mesh::Index, 2>& edge, const std::array<Mesh::Index, 4>& tet) {
     return std::all_of(edge.begin(), edge.end(),
                        [&](Mesh::Index v) { return std::find(tet.begin(), tet.end(), v) != tet.end(); });

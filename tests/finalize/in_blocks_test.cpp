@@ -307,7 +307,7 @@ TEST(FinalizeInBlocks, SmoothingKeepsNumbersAndTetrahedra) {
   EXPECT_GT(report.min_dihedral_after, report.min_dihedral_before);
 }
 
-TEST(FinalizeInBlocks, LeavesMeshesWholeThatAreAsDeepAsWide) {
+TEST(FinalizeInBlocks, LeavesMeshesWholeOfWhichAnyTwoBlocksAreMuchSeam) {
   Part part = testing::box_part({1, 1, 1}, 8, 8, 8);
   FinalizeOptions options = testing::options_of_size(0.125);
   options.block_tets = 400;

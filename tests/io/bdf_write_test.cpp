@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -48,7 +49,7 @@ struct BulkData {
     }
     return places;
   }
-  /// The nodes of a set that follows the comment on its entity.
+  /// The nodes of the set of this number.
   std::vector<int> set(int number) const {
     for (const Entry& e : of("SET1")) {
       if (e.number(0) != number) continue;
@@ -173,8 +174,9 @@ TEST(BdfWrite, EachFaceEdgeAndVertexIsASetOfItsNodes) {
     ASSERT_EQ(nodes.size(), 1u);
     EXPECT_EQ(mesh.point_on[static_cast<std::size_t>(nodes[0]) - 1], model_vertex(vertex));
   }
-  for (const char* text : {"Solid1, body", "Face2, bore__A_: its nodes, and a load set of unit pressure",
-                           "Face1: its nodes, and a load set of unit pressure", "Edge1: its nodes"})
+  for (const char* text :
+       {"Solid1, body: its elements", "Face2, bore__A_: its nodes, and a load set of unit pressure",
+        "Face1: its nodes, and a load set of unit pressure", "Edge1: its nodes"})
     EXPECT_NE(std::find(data.comments.begin(), data.comments.end(), text), data.comments.end()) << text;
 }
 
