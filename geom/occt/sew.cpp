@@ -3,7 +3,6 @@
 #include "geom/occt/sew.h"
 
 #include <BRepBuilderAPI_Sewing.hxx>
-#include <BRepLib.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <ShapeFix_Shell.hxx>
@@ -23,18 +22,10 @@
 #include "geom/occt/gathered.h"
 #include "geom/occt/shape_box.h"
 #include "geom/occt/shape_measures.h"
+#include "geom/occt/shell_solids.h"
 
 namespace octet {
 namespace {
-
-TopoDS_Shape solid_from_shell(const TopoDS_Shape& shell) {
-  TopoDS_Solid solid;
-  BRep_Builder builder;
-  builder.MakeSolid(solid);
-  builder.Add(solid, shell.Oriented(TopAbs_FORWARD));
-  BRepLib::OrientClosedSolid(solid);
-  return solid;
-}
 
 void add_history(const BRepBuilderAPI_Sewing& sewing, const TopoDS_Shape& compound,
                  BRepTools_History& history) {
@@ -141,15 +132,6 @@ void cap_openings(Sewn& sewn) {
 }
 
 }  // namespace
-
-std::vector<TopoDS_Shape> solids_from_shells(const TopoDS_Shape& shape) {
-  std::vector<TopoDS_Shape> solids;
-  TopTools_MapOfShape seen;
-  for (TopExp_Explorer it(shape, TopAbs_SHELL, TopAbs_SOLID); it.More(); it.Next())
-    if (seen.Add(it.Current()) && BRep_Tool::IsClosed(it.Current()))
-      solids.push_back(solid_from_shell(it.Current()));
-  return solids;
-}
 
 Sewn sew_faces(const std::vector<TopoDS_Shape>& faces, const SewOptions& options) {
   const TopoDS_Compound compound = compound_of(faces);

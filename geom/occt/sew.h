@@ -18,7 +18,7 @@ struct SewOptions {
 
 struct Sewn {
   TopoDS_Shape shape;                 ///< all faces, sewn, and caps
-  std::vector<TopoDS_Shape> solids;   ///< of the closed shells, turned outwards
+  std::vector<TopoDS_Shape> solids;   ///< of the closed shells (geom/occt/shell_solids)
   Handle(BRepTools_History) history;  ///< of faces, edges and vertices
   double tolerance = 0.0;             ///< that was used
   std::size_t free_edges = 0;         ///< left
@@ -32,8 +32,5 @@ struct Sewn {
 /// openings are capped, where that is asked for; a shell on which other faces hang stays open. No solids:
 /// nothing closed.
 [[nodiscard]] Sewn sew_faces(const std::vector<TopoDS_Shape>& faces, const SewOptions& options);
-
-/// Closed shells of `shape` outside its solids, as solids turned outwards.
-[[nodiscard]] std::vector<TopoDS_Shape> solids_from_shells(const TopoDS_Shape& shape);
 
 }  // namespace octet

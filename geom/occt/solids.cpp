@@ -23,6 +23,7 @@
 #include "geom/occt/entity_names.h"
 #include "geom/occt/free_edges.h"
 #include "geom/occt/shape_box.h"
+#include "geom/occt/shell_solids.h"
 #include "geom/occt/sub_shapes.h"
 
 namespace octet {
@@ -80,6 +81,14 @@ std::vector<TopoDS_Shape> open_shells(const Sewn& sewn) {
       shells.push_back(it.Current());
   }
   return shells;
+}
+
+/// Words for a note: how many shells of these solids are voids.
+std::string voids_in(const std::vector<TopoDS_Shape>& solids) {
+  const std::size_t voids = count_voids(solids);
+  return voids > 0
+             ? fmt::format(", {} of them void(s) within another, for they are turned the other way", voids)
+             : "";
 }
 
 }  // namespace
@@ -165,7 +174,8 @@ SolidSet collect_solids(const TopoDS_Shape& shape, const ShapeMaps& as_read, con
     if (TopExp_Explorer(as_read.of[3](i), TopAbs_FACE).More()) set.solids.push_back(as_read.of[3](i));
   const auto shells = solids_from_shells(shape);
   if (!shells.empty()) {
-    set.notes.push_back(fmt::format("{} closed shell(s) taken as solid(s)", shells.size()));
+    set.notes.push_back(fmt::format("{} closed shell(s) taken as solid(s){}",
+                                    shells.size() + count_voids(shells), voids_in(shells)));
     set.solids.insert(set.solids.end(), shells.begin(), shells.end());
   }
   const std::vector<TopoDS_Shape> loose = loose_faces(as_read, set).faces;
@@ -173,8 +183,9 @@ SolidSet collect_solids(const TopoDS_Shape& shape, const ShapeMaps& as_read, con
   if (!sewn.shape.IsNull() && (set.solids.empty() || !sewn.solids.empty())) set.history->Merge(sewn.history);
   if (!sewn.solids.empty()) {
     set.notes.push_back(fmt::format(
-        "{} loose faces sewn with tolerance {:.3g} mm into {} closed shell(s); {} free edge(s) left",
-        loose.size(), sewn.tolerance, sewn.solids.size(), sewn.free_edges));
+        "{} loose faces sewn with tolerance {:.3g} mm into {} closed shell(s){}; {} free edge(s) left",
+        loose.size(), sewn.tolerance, sewn.solids.size() + count_voids(sewn.solids), voids_in(sewn.solids),
+        sewn.free_edges));
     add_caps(sewn.caps, as_read, set);
     set.solids.insert(set.solids.end(), sewn.solids.begin(), sewn.solids.end());
     set.open = open_shells(sewn);

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What loose closed shells bound: solids, and voids in them.
+#include "geom/occt/shell_solids.h"
+
+#include <gtest/gtest.h>
+
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <IGESControl_Controller.hxx>
+#include <IGESControl_Writer.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <algorithm>
+#include <filesystem>
+#include <numbers>
+
+#include "geom/occt/gathered.h"
+#include "geom/occt/read_part.h"
+#include "geom/occt/shape_measures.h"
+#include "geom/occt/silence.h"
+#include "tests/support/with_void.h"
+
+namespace octet {
+namespace {
+
+/// A cube about the origin.
+TopoDS_Shape cube(double side) {
+  return BRepPrimAPI_MakeBox(gp_Pnt(-0.5 * side, -0.5 * side, -0.5 * side), side, side, side).Solid();
+}
+
+TopoDS_Shape shell_in(const TopoDS_Shape& solid) { return TopExp_Explorer(solid, TopAbs_SHELL).Current(); }
+
+TopoDS_Shape face_in(const TopoDS_Shape& solid) { return TopExp_Explorer(solid, TopAbs_FACE).Current(); }
+
+double ball_volume(double radius) { return 4.0 / 3.0 * std::numbers::pi * radius * radius * radius; }
+
+std::vector<double> volumes(const std::vector<TopoDS_Shape>& shells) {
+  std::vector<double> result;
+  for (const TopoDS_Shape& solid : solids_from_shells(compound_of(shells)))
+    result.push_back(volume_of(solid));
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+TEST(ShellSolids, AFaceThatClosesByItselfIsASolid) {
+  const TopoDS_Shape ball = face_in(BRepPrimAPI_MakeSphere(2.0).Solid());
+  for (const TopoDS_Shape& face : {ball, TopoDS_Shape(ball.Reversed())}) {
+    const std::vector<double> found = volumes({face});
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_NEAR(found[0], ball_volume(2.0), 1e-9);
+  }
+  EXPECT_TRUE(volumes({face_in(cube(2.0))}).empty());
+}
+
+TEST(ShellSolids, AShellTurnedTheOtherWayWithinAnotherIsAVoid) {
+  const TopoDS_Shape outer = shell_in(cube(4.0)), inner = shell_in(cube(2.0));
+  const TopoDS_Shape ball = face_in(BRepPrimAPI_MakeSphere(0.5).Solid());
+  for (const bool inside_out : {false, true}) {
+    const auto turned = [&](const TopoDS_Shape& shape, bool inwards) {
+      return TopoDS_Shape(inwards != inside_out ? shape.Reversed() : shape);
+    };
+    const std::vector<double> one = volumes({turned(inner, true), turned(outer, false)});
+    ASSERT_EQ(one.size(), 1u);
+    EXPECT_NEAR(one[0], 64.0 - 8.0, 1e-9);
+    const std::vector<double> with_ball = volumes({turned(outer, false), turned(ball, true)});
+    ASSERT_EQ(with_ball.size(), 1u);
+    EXPECT_NEAR(with_ball[0], 64.0 - ball_volume(0.5), 1e-9);
+  }
+  EXPECT_EQ(count_voids(solids_from_shells(compound_of({outer, TopoDS_Shape(inner.Reversed())}))), 1u);
+}
+
+TEST(ShellSolids, AShellTurnedTheSameWayIsASolidOfItsOwn) {
+  const std::vector<double> found = volumes({shell_in(cube(4.0)), shell_in(cube(2.0))});
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_NEAR(found[0], 8.0, 1e-9);
+  EXPECT_NEAR(found[1], 64.0, 1e-9);
+}
+
+TEST(ShellSolids, ABodyInAVoidMayHaveAVoidItself) {
+  const std::vector<double> found = volumes({shell_in(cube(1.0)).Reversed(), shell_in(cube(4.0)),
+                                             shell_in(cube(2.0)), shell_in(cube(3.0)).Reversed()});
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_NEAR(found[0], 8.0 - 1.0, 1e-9);
+  EXPECT_NEAR(found[1], 64.0 - 27.0, 1e-9);
+}
+
+TEST(ShellSolids, LooseFacesOfIgesFilesKeepTheirVoids) {
+  const auto path = std::filesystem::temp_directory_path() / "octet_ShellSolids.iges";
+  for (const TopoDS_Shape& inner : {cube(2.0), TopoDS_Shape(BRepPrimAPI_MakeSphere(1.0).Solid())}) {
+    const TopoDS_Shape hollow = test::with_void(cube(4.0), inner);
+    {
+      const Silence silence;
+      IGESControl_Controller::Init();
+      IGESControl_Writer writer("MM", 0);  // faces, in no shell
+      ASSERT_TRUE(writer.AddShape(hollow));
+      ASSERT_TRUE(writer.Write(path.c_str()));
+    }
+    const Model model = read_part(path);
+    EXPECT_EQ(model.count(3), 1);
+    EXPECT_NEAR(model.region(1).volume, volume_of(hollow), 1e-6);
+    EXPECT_TRUE(model.parts().faults.empty());
+  }
+  std::filesystem::remove(path);
+}
+
+}  // namespace
+}  // namespace octet
