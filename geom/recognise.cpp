@@ -213,18 +213,65 @@ double nearness(const Samples& samples, const Vec3& centre, const Vec3& axis) {
   return most;
 }
 
-/// An axis whose poles are clear of the samples: about a pole among them u cannot follow the source. `asked`
-/// where that will do; nothing where the samples are all over the sphere.
+/// The axis about which the source turns, if it does: along u or along v all samples are at one height.
+std::optional<Vec3> axis_of_source(const Samples& samples) {
+  constexpr double kSameHeight = 1e-6;  // of the size
+  const std::size_t nu = samples.u.size(), nv = samples.v.size();
+  const auto turned = [&](std::size_t count, std::size_t step, std::size_t lines,
+                          std::size_t next) -> std::optional<Vec3> {
+    const auto at = [&](std::size_t line, std::size_t k) -> const Vec3& {
+      return samples.all[line * next + k * step].p;
+    };
+    const Vec3 &a = at(lines / 2, 0), &b = at(lines / 2, count / 3), &c = at(lines / 2, 2 * count / 3);
+    Vec3 axis = (b - a).cross(c - b);
+    if (!(axis.norm() > kSameHeight * samples.size * samples.size)) return std::nullopt;
+    axis.normalize();
+    for (std::size_t line = 0; line < lines; ++line)
+      for (std::size_t k = 1; k < count; ++k)
+        if (!(std::abs((at(line, k) - at(line, 0)).dot(axis)) <= kSameHeight * samples.size))
+          return std::nullopt;
+    return axis;
+  };
+  if (auto axis = turned(nu, nv, nv, 1)) return axis;
+  return turned(nv, 1, nu, nv);
+}
+
+/// As seen from the centre, half the longest diagonal between neighbouring samples: no place of the source is
+/// much farther from all of them.
+double gap_between(const Samples& samples, const Vec3& centre) {
+  const std::size_t nu = samples.u.size(), nv = samples.v.size();
+  const auto at = [&](std::size_t a, std::size_t b) -> Vec3 {
+    return (samples.all[a * nv + b].p - centre).normalized();
+  };
+  double least = 1.0;
+  for (std::size_t a = 0; a + 1 < nu; ++a)
+    for (std::size_t b = 0; b + 1 < nv; ++b)
+      least = std::min({least, at(a, b).dot(at(a + 1, b + 1)), at(a + 1, b).dot(at(a, b + 1))});
+  return 0.5 * std::acos(std::clamp(least, -1.0, 1.0));
+}
+
+/// An axis whose poles are clear of the source: about a pole on it u cannot follow. `asked` where that will
+/// do, else the clearest of the source's own and some others; nothing where the source is all over the
+/// sphere.
 std::optional<Vec3> clear_axis(const Samples& samples, const Vec3& centre, const Vec3& asked) {
   constexpr double kClear = 0.95, kNeeded = 0.99;  // cosines of 18 and 8 degrees
+  constexpr double kReserve = 1.2;
+  const double between = std::cos(kReserve * gap_between(samples, centre));
   Vec3 best = asked.normalized();
   double least = nearness(samples, centre, best);
-  if (least <= kClear) return best;
+  if (least <= std::min(kClear, between)) return best;
+  if (least > between) least = 1.0;
+  // About the source's own axis its places are as far from the poles as its samples are.
+  const std::optional<Vec3> own = axis_of_source(samples);
+  if (const double near = own ? nearness(samples, centre, *own) : 1.0; near < least) {
+    least = near;
+    best = *own;
+  }
   for (int k = 0; k < 27; ++k) {
     const Vec3 axis(k / 9 - 1, k / 3 % 3 - 1, k % 3 - 1);
     if (axis.isZero()) continue;
     const double near = nearness(samples, centre, axis.normalized());
-    if (near >= least) continue;
+    if (near >= least || near > between) continue;
     least = near;
     best = axis.normalized();
   }

@@ -71,6 +71,10 @@ class Recognise : public ::testing::TestWithParam<int> {
         return {make_sphere(axes, 3.0, 0.0), {5, 0.2}, {7, 1.1}};
       case 7:
         return {make_torus(axes, 5.0, 2.0, 0.0, 0.0), {0, 0}, {2 * kPi, 2 * kPi}};
+      case 8:  // half of it, but for caps: clear of the sphere's own axis alone
+        return {make_sphere(axes, 3.0, 0.0), {0.3, -1.1}, {0.3 + kPi, 1.15}};
+      case 9:
+        return {make_sphere(axes, 3.0, 0.0), {0, -1.2}, {2 * kPi, 1.1}};
       default:
         return {make_torus(axes, 5.0, 2.0, 0.0, 0.0), {1, 2}, {2, 5}};
     }
@@ -107,7 +111,7 @@ TEST_P(Recognise, IsNotFooledBySomethingNearby) {
   EXPECT_FALSE(recognise(source, kUnit, kUnit, kTolerance));
 }
 
-INSTANTIATE_TEST_SUITE_P(Forms, Recognise, ::testing::Range(0, 9));
+INSTANTIATE_TEST_SUITE_P(Forms, Recognise, ::testing::Range(0, 11));
 
 /// A sphere seen from its centre through a plane: no poles of its own, and du at the first corner points at a
 /// place in the middle of it.
