@@ -125,12 +125,12 @@ Vec3 rounded(const Vec3& p, double unit) {
 
 /// A point of a face that lies in a sharp tip goes to the tip's ring.
 std::optional<OtherPlace> out_of_tips(const Model& model, const Tips& tips, int face, const Vec3& p) {
-  constexpr double kClear = 0.5;  // of the ring's radius
+  constexpr double kClear = 0.5;  // of the ring's step
   const Tip* tip = tips.holder(face, p);
   if (tip == nullptr) return std::nullopt;
   const std::optional<Vec3> on_ring = ring_point(model, *tip, face, p);
   if (!on_ring) return std::nullopt;
-  return OtherPlace{*on_ring, kClear * tip->ring_radius()};
+  return OtherPlace{*on_ring, kClear * tip->ring_step()};
 }
 
 /// Gives the memory back, which `list = {}` does not.

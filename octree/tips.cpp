@@ -28,22 +28,41 @@ constexpr double kBallGrowth = 1.1;
 /// Edges and other faces that start at the vertex are along the tip within so many of its radii of the axis.
 constexpr double kAlong = 1.5;
 
-/// A face about a pole, from its facets. A cone's curvature at the distance s from its apex is 1 / (s tan a).
+/// What narrows to nothing about a pole, by ways that lead from the pole along it.
 struct Shape {
-  double taper = 0.0;       ///< as in Tip
   double length = 0.0;      ///< from the pole to the farthest point
-  std::vector<Vec3> sides;  ///< directions from the pole along the face, unit
+  std::vector<Vec3> sides;  ///< unit
 
+  /// Those of a face, by the exact face beside its facets at the pole.
+  void add(const Model& model, std::size_t facet, const Vec3& pole) {
+    const Facets& facets = model.facets();
+    const int face = facets.face[facet];
+    const double none = model.tolerance() + model.tolerance_of(model_face(face));
+    const std::array<Vec3, 3> corner = facet_corners(facets, facet);
+    std::array<double, 3> distance;
+    for (int i = 0; i < 3; ++i) distance[i] = (corner[i] - pole).norm();
+    length = std::max(length, *std::max_element(distance.begin(), distance.end()));
+    const auto nearest = std::min_element(distance.begin(), distance.end()) - distance.begin();
+    if (distance[nearest] > none) return;
+    const std::array<Vec2, 3>& uv = facets.uv[facet];
+    const SurfaceJet jet = model.face_jet(face, uv[nearest], 1);
+    const int inwards = jet.du.norm() < jet.dv.norm() ? 1 : 0;
+    const Vec2 a = uv[(nearest + 1) % 3], b = uv[(nearest + 2) % 3];
+    constexpr int kSteps = 4;
+    for (int k = 0; k <= kSteps; ++k) {
+      constexpr double kNear = 1.0 / 16.0;  // of a facet's length
+      Vec2 at = a + (b - a) * k / kSteps;
+      at[inwards] = uv[nearest][inwards] + kNear * (at[inwards] - uv[nearest][inwards]);
+      const Vec3 way = model.face_jet(face, at, 0).p - pole;
+      if (way.norm() > none) sides.push_back(way.normalized());
+    }
+  }
+  void add(const Shape& other) {
+    length = std::min(length, other.length);
+    sides.insert(sides.end(), other.sides.begin(), other.sides.end());
+  }
   [[nodiscard]] Vec3 mean() const {
     return std::accumulate(sides.begin(), sides.end(), Vec3(Vec3::Zero())).normalized();
-  }
-  /// Whether the sides wind about an axis: those of half a cone spread by a third of its taper in their
-  /// lesser direction, of a quarter by a tenth, as much as those of fillets that run out in a point, which
-  /// gain nothing from a ring.
-  [[nodiscard]] bool winds() const {
-    constexpr double kLeastSpread = 0.2;
-    const Eigen::Vector3d squares = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread()).eigenvalues();
-    return squares[1] >= std::pow(kLeastSpread * taper, 2);
   }
   /// Covariance of the sides' ends.
   [[nodiscard]] Eigen::Matrix3d spread() const {
@@ -54,32 +73,112 @@ struct Shape {
     for (const Vec3& side : sides) sum += share * (side - centre) * (side - centre).transpose();
     return sum;
   }
-  void add(const Model& model, std::size_t facet, const Vec3& pole) {
-    const Facets& facets = model.facets();
-    const int face = facets.face[facet];
-    const double none = model.tolerance() + model.tolerance_of(model_face(face));
-    const std::array<Vec3, 3> corner = facet_corners(facets, facet);
-    std::array<double, 3> distance;
-    for (int i = 0; i < 3; ++i) distance[i] = (corner[i] - pole).norm();
-    length = std::max(length, *std::max_element(distance.begin(), distance.end()));
-    if (*std::min_element(distance.begin(), distance.end()) > none) return;
-    for (int i = 0; i < 3; ++i) {
-      if (distance[i] <= none) continue;
-      const double turn = model.face_curvature(face, facets.uv[facet][i]) * distance[i];
-      taper = std::max(taper, turn > 0.0 ? 1.0 / turn : std::numeric_limits<double>::infinity());
-      sides.push_back((corner[i] - pole) / distance[i]);
+  /// Whether the sides wind about an axis: those of half a cone spread by a third of its taper in their
+  /// lesser direction, of a quarter by a tenth, as much as those of fillets that run out in a point, which
+  /// gain nothing from a ring.
+  [[nodiscard]] bool winds(double taper) const {
+    constexpr double kLeastSpread = 0.2;
+    const Eigen::Vector3d squares = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread()).eigenvalues();
+    return squares[1] >= std::pow(kLeastSpread * taper, 2);
+  }
+};
+
+/// A tip as seen along its axis, at the distance 1 from its end.
+struct Section {
+  Vec3 along = Vec3::Zero(), across = Vec3::Zero();
+  double taper = 0.0, lesser_taper = 0.0;
+};
+
+/// The sides in the plane at the distance 1 from the pole across `along`.
+struct Trace {
+  Vec3 x, y;
+  std::vector<Vec2> places;
+  double size = 0.0;  ///< that of the farthest
+
+  Trace(const std::vector<Vec3>& sides, const Vec3& along) : x(along.unitOrthogonal()), y(along.cross(x)) {
+    for (const Vec3& side : sides) {
+      places.emplace_back(Vec2(side.dot(x), side.dot(y)) / side.dot(along));
+      size = std::max(size, places.back().norm());
     }
   }
 };
 
-/// The direction that has the same angle with all sides: their ends lie in a plane across it. Where it is not
-/// to be told from a few sides, their mean.
-Vec3 axis_of(const Shape& shape) {
-  constexpr double kMostTilt = 1.5;  // of a taper, the mean of the sides against their axis
-  const Vec3 mean = shape.mean();
-  Vec3 axis = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(shape.spread()).eigenvectors().col(0);
-  if (axis.dot(mean) < 0.0) axis = -axis;
-  return axis.cross(mean).norm() <= kMostTilt * shape.taper ? axis : mean;
+struct Ellipse {
+  Vec2 centre, wide;  ///< `wide`: unit
+  double a = 0.0, b = 0.0;
+};
+
+/// The ellipse on which the places lie: through part of it as well. None where they lie on no ellipse.
+std::optional<Ellipse> ellipse_through(const Trace& trace) {
+  constexpr double kOff = 0.3;  // of the ellipse
+  constexpr double kFlattest = 0.1;
+  Eigen::MatrixXd rows(static_cast<Eigen::Index>(trace.places.size()), 6);
+  for (Eigen::Index i = 0; i < rows.rows(); ++i) {
+    const Vec2 p = trace.places[static_cast<std::size_t>(i)] / trace.size;
+    rows.row(i) << p.x() * p.x(), p.x() * p.y(), p.y() * p.y(), p.x(), p.y(), 1.0;
+  }
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(rows, Eigen::ComputeFullV);
+  const Eigen::VectorXd c = svd.matrixV().col(5);
+  Eigen::Matrix2d square;
+  square << c[0], 0.5 * c[1], 0.5 * c[1], c[2];
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(square);
+  const Vec2 values = solver.eigenvalues();
+  if (!(values[0] * values[1] > std::pow(kFlattest, 4) * values.squaredNorm())) return std::nullopt;
+  const Vec2 centre = -0.5 * square.inverse() * Vec2(c[3], c[4]);
+  const double level = -(c[5] + 0.5 * Vec2(c[3], c[4]).dot(centre));
+  if (!(level * values[0] > 0.0)) return std::nullopt;
+  const int widest = std::abs(values[0]) < std::abs(values[1]) ? 0 : 1;
+  for (const Vec2& place : trace.places) {
+    const Vec2 p = place / trace.size - centre;
+    if (std::abs(std::sqrt(std::max(0.0, p.dot(square * p) / level)) - 1.0) > kOff) return std::nullopt;
+  }
+  return Ellipse{trace.size * centre, solver.eigenvectors().col(widest),
+                 trace.size * std::sqrt(level / values[widest]),
+                 trace.size * std::sqrt(level / values[1 - widest])};
+}
+
+/// In the box of the places along their principal directions.
+Ellipse ellipse_about(const Trace& trace) {
+  Vec2 mean = Vec2::Zero();
+  for (const Vec2& p : trace.places) mean += p / static_cast<double>(trace.places.size());
+  Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
+  for (const Vec2& p : trace.places) spread += (p - mean) * (p - mean).transpose();
+  const Eigen::Matrix2d ways = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(spread).eigenvectors();
+  Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (const Vec2& p : trace.places) {
+    low = low.cwiseMin(ways.transpose() * p);
+    high = high.cwiseMax(ways.transpose() * p);
+  }
+  return {ways * (0.5 * (low + high)), ways.col(1), 0.5 * (high - low).y(), 0.5 * (high - low).x()};
+}
+
+/// None where the tip is blunt.
+std::optional<Section> section_of(const Shape& shape) {
+  constexpr double kRound = 0.9;  // b / a of an ellipse that is taken for a circle
+  constexpr int kSteps = 3;  // the middle of a cone's section is on its axis where the plane is across that
+  constexpr double kWidest = 4.0 * kSharp;
+  if (shape.sides.empty()) return std::nullopt;
+  Section section;
+  section.along = shape.mean();
+  for (int step = 0; step < kSteps; ++step) {
+    for (const Vec3& side : shape.sides)
+      if (!(side.cross(section.along).norm() < kWidest * side.dot(section.along))) return std::nullopt;
+    const Trace trace(shape.sides, section.along);
+    const std::optional<Ellipse> fitted = ellipse_through(trace);
+    const Ellipse ellipse = fitted ? *fitted : ellipse_about(trace);
+    section.along =
+        (section.along + ellipse.centre.x() * trace.x + ellipse.centre.y() * trace.y).normalized();
+    const Vec3 wide = ellipse.wide.x() * trace.x + ellipse.wide.y() * trace.y;
+    section.across = (wide - wide.dot(section.along) * section.along).normalized();
+    section.taper = ellipse.a;
+    section.lesser_taper = ellipse.b;
+  }
+  if (section.taper > kSharp) return std::nullopt;
+  if (section.lesser_taper >= kRound * section.taper) {
+    section.across = section.along.unitOrthogonal();
+    section.lesser_taper = section.taper;
+  }
+  return section;
 }
 
 /// Faces about one vertex that point the same way.
@@ -89,14 +188,12 @@ struct Sides {
   Shape shape;
 
   [[nodiscard]] bool are_of(const Shape& other) const {
-    return shape.mean().dot(other.mean()) > 0.0 &&
-           shape.mean().cross(other.mean()).norm() <= 2.0 * std::max(shape.taper, other.taper);
+    constexpr double kSame = 2.0 * kSharp;
+    return shape.mean().dot(other.mean()) > 0.0 && shape.mean().cross(other.mean()).norm() <= kSame;
   }
   void join(int face, const Shape& other) {
     faces.push_back(face);
-    shape.taper = std::max(shape.taper, other.taper);
-    shape.length = std::min(shape.length, other.length);
-    shape.sides.insert(shape.sides.end(), other.sides.begin(), other.sides.end());
+    shape.add(other);
   }
 };
 
@@ -108,14 +205,15 @@ Sides* like(std::vector<Sides>& sides, int vertex, const Shape& shape) {
   return same == sides.end() ? nullptr : &*same;
 }
 
-/// How far from the pole a ring of points has room.
-double reach_of(const Tip& tip, double length, const Octree& tree) {
+/// How large a ball a ring of points has room in.
+double reach_of(Tip tip, double length, const Octree& tree) {
   constexpr double kStep = 1.05;
   const double most = kMostReach * length;
-  double reach = tip.taper * tree.spacing_at(tip.place);
-  while (reach < most && tip.taper * reach < kLeastRing * tree.spacing_at(tip.place + reach * tip.along))
-    reach *= kStep;
-  return std::min(reach, most);
+  tip.reach = tip.taper * tree.spacing_at(tip.place);
+  while (tip.reach < most &&
+         tip.ring_step() < kLeastRing * tree.spacing_at(tip.place + tip.reach * tip.along))
+    tip.reach *= kStep;
+  return std::min(tip.reach, most);
 }
 
 /// By vertex and face: what narrows to nothing there.
@@ -145,15 +243,23 @@ Tips::Tips(const Model& model, const Octree& tree) {
   for (const auto& found : shapes_at_poles(model)) {
     const auto [vertex, face] = found.first;
     const Shape& shape = found.second;
-    if (shape.taper <= 0.0 || shape.taper > kSharp) continue;
+    if (!section_of(shape)) continue;
     if (Sides* same = like(sides, vertex, shape))
       same->join(face, shape);
     else
       sides.push_back({vertex, {face}, shape});
   }
   for (const Sides& of : sides) {
-    if (!of.shape.winds()) continue;
-    Tip tip{of.vertex, of.faces, {}, model.vertex(of.vertex).point, axis_of(of.shape), of.shape.taper, 0.0};
+    const std::optional<Section> section = section_of(of.shape);
+    if (!section || !of.shape.winds(section->taper)) continue;
+    Tip tip;
+    tip.vertex = of.vertex;
+    tip.faces = of.faces;
+    tip.place = model.vertex(of.vertex).point;
+    tip.along = section->along;
+    tip.across = section->across;
+    tip.taper = section->taper;
+    tip.lesser_taper = section->lesser_taper;
     tip.reach = reach_of(tip, of.shape.length, tree);
     for (int f = 1; f <= model.count(2); ++f) {
       const std::vector<int>& vertices = model.face(f).vertices;
@@ -163,10 +269,14 @@ Tips::Tips(const Model& model, const Octree& tree) {
   }
 }
 
-bool Tip::holds(int face, const Vec3& p) const {
+bool Tip::encloses(const Vec3& p) const {
   constexpr double kRounding = 1e-6;
   const Vec3 away = p - place;
-  if (away.norm() >= reach * (1.0 - kRounding)) return false;
+  return away.squaredNorm() < reach * (1.0 - kRounding) * away.dot(along);
+}
+
+bool Tip::holds(int face, const Vec3& p) const {
+  if (!encloses(p)) return false;
   if (std::binary_search(faces.begin(), faces.end(), face)) return true;
   return std::binary_search(faces_at_vertex.begin(), faces_at_vertex.end(), face) && leads_to(p);
 }
@@ -184,18 +294,19 @@ const Tip* Tips::holder(int face, const Vec3& p) const {
 
 bool Tips::are_beside(const Vec3& p) const {
   return std::any_of(tips_.begin(), tips_.end(), [&](const Tip& tip) {
-    const double radius = 0.5 * tip.reach * std::hypot(1.0, tip.taper);
+    const double radius = 0.5 * tip.reach;
     return (p - tip.place - radius * tip.along).norm() < kBallGrowth * radius;
   });
 }
 
 std::vector<Vec3> ring_places(const Tip& tip) {
-  const Vec3 across = tip.along.unitOrthogonal(), third = tip.along.cross(across);
+  const Vec3 third = tip.along.cross(tip.across);
   std::vector<Vec3> places;
   for (int k = 0; k < kRing; ++k) {
     const double angle = 2.0 * std::numbers::pi * k / kRing;
-    places.emplace_back(tip.place + tip.reach * (tip.along + tip.taper * (std::cos(angle) * across +
-                                                                          std::sin(angle) * third)));
+    const Vec3 way =
+        tip.along + tip.taper * std::cos(angle) * tip.across + tip.lesser_taper * std::sin(angle) * third;
+    places.emplace_back(tip.place + tip.reach / way.squaredNorm() * way);
   }
   return places;
 }
@@ -203,12 +314,15 @@ std::vector<Vec3> ring_places(const Tip& tip) {
 std::optional<Vec3> ring_point(const Model& model, const Tip& tip, int face, const Vec3& p) {
   constexpr int kSteps = 20;
   constexpr double kExact = 1e-9;
-  Vec3 aim = p - tip.place;
+  Vec3 way = (p - tip.place).normalized();
   for (int step = 0; step < kSteps; ++step) {
-    const FaceFoot foot = model.face_project(face, tip.place + tip.reach * aim.normalized());
-    aim = foot.point - tip.place;
-    if (!foot.converged || aim.norm() == 0.0) return std::nullopt;
-    if (std::abs(aim.norm() - tip.reach) > kExact * tip.reach) continue;
+    const double aim = tip.reach * way.dot(tip.along);
+    const FaceFoot foot = model.face_project(face, tip.place + aim * way);
+    way = foot.point - tip.place;
+    const double distance = way.norm();
+    if (!foot.converged || distance == 0.0) return std::nullopt;
+    way /= distance;
+    if (std::abs(distance - tip.reach * way.dot(tip.along)) > kExact * tip.reach) continue;
     if (model.face_side(face, foot.uv) == TrimSide::kOut) return std::nullopt;
     return foot.point;
   }
@@ -220,9 +334,7 @@ std::optional<double> ring_parameter(const Model& model, const Tip& tip, int edg
   const ModelEdge& e = model.edge(edge);
   if (e.vertex[0] == e.vertex[1]) return std::nullopt;
   double near = e.vertex[0] == tip.vertex ? e.t0 : e.t1, far = e.vertex[0] == tip.vertex ? e.t1 : e.t0;
-  const auto lies_before = [&](double t) {
-    return (model.edge_point(edge, t) - tip.place).norm() < tip.reach;
-  };
+  const auto lies_before = [&](double t) { return tip.encloses(model.edge_point(edge, t)); };
   if (lies_before(far)) return std::nullopt;
   for (int step = 0; step < kHalvings; ++step) {
     const double middle = 0.5 * (near + far);
@@ -232,8 +344,8 @@ std::optional<double> ring_parameter(const Model& model, const Tip& tip, int edg
 }
 
 double ring_spacing(const Tip& tip) {
-  constexpr double kRoom = 1.03;  // the face bulges between them
-  return tip.ring_radius() / (kRoom * kFaceSpacing);
+  constexpr double kRoom = 1.2;  // the face bulges between them, and may be no ellipse
+  return tip.ring_step() / (kRoom * kFaceSpacing);
 }
 
 }  // namespace octet

@@ -3,6 +3,7 @@
 // apex.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -13,19 +14,26 @@ namespace octet {
 
 /// Near its vertex a tip is too narrow for points at the local size: two across one another enclose nothing,
 /// and tetrahedra about them are as flat as the tip is thin. So nothing is put between the vertex and a ring
-/// of six points, all as far from it, at the first place where six have room. One ball passes through the
-/// vertex and such a ring, and it holds no other point of the faces: what lies between them is Delaunay
-/// where no octree vertex is in that ball.
+/// of six points, where the faces leave a ball through the vertex about the axis, the first in which six have
+/// room. The ball holds no other point of the faces: what lies between vertex and ring is Delaunay where no
+/// octree vertex is in it. Seen along the axis the tip is about an ellipse.
 struct Tip {
   int vertex = 0;
   std::vector<int> faces;            ///< those that narrow, ascending
   std::vector<int> faces_at_vertex;  ///< all that have the vertex, ascending
   Vec3 place = Vec3::Zero();         ///< of the vertex
   Vec3 along = Vec3::Zero();         ///< the axis, into the faces, unit
-  double taper = 0.0;                ///< radius over distance from the vertex
-  double reach = 0.0;                ///< distance of the ring from the vertex
+  Vec3 across = Vec3::Zero();        ///< the way in which the tip is wide, unit, perpendicular to the axis
+  double taper = 0.0;                ///< half its width over the distance from the vertex
+  double lesser_taper = 0.0;         ///< so in the direction in which it is narrow
+  double reach = 0.0;                ///< diameter of the ball
 
-  [[nodiscard]] double ring_radius() const { return taper * reach; }
+  /// Distance of neighbours in the ring: the least.
+  [[nodiscard]] double ring_step() const {
+    return reach * std::hypot(0.5 * taper, std::sqrt(0.75) * lesser_taper);
+  }
+  /// Whether p is in the ball.
+  [[nodiscard]] bool encloses(const Vec3& p) const;
   /// Whether p, a point of that face, lies between the vertex and the ring.
   [[nodiscard]] bool holds(int face, const Vec3& p) const;
   /// Whether the way from the vertex to p is along the tip: about as near to its axis as its faces are.

@@ -27,6 +27,12 @@ Frame oblique() {
   return frame;
 }
 
+/// Below 0: within.
+double distance_from_ball(const Tip& tip, const Vec3& p) {
+  const double radius = 0.5 * tip.reach;
+  return (p - tip.place - radius * tip.along).norm() - radius;
+}
+
 TEST(Tips, OnlySharpConesHaveOne) {
   for (const double height : {5.0, 12.0, 50.0}) {
     const Model cone = analytic_cone(1.0, height, {oblique(), 1e-3});
@@ -42,6 +48,7 @@ TEST(Tips, HaveTheConesAxisAndTaper) {
   ASSERT_EQ(tips.all().size(), 1u);
   const Tip& tip = tips.all().front();
   EXPECT_NEAR(tip.taper, 1.0 / 8.0, 1e-6);
+  EXPECT_EQ(tip.lesser_taper, tip.taper);
   EXPECT_NEAR(std::abs(tip.along.dot(oblique().axes.col(2))), 1.0, 1e-9);
   EXPECT_EQ(tip.place, model.vertex(tip.vertex).point);
 }
@@ -53,8 +60,8 @@ TEST(Tips, ReachAsFarAsSixPointsHaveNoRoom) {
   ASSERT_EQ(tips.all().size(), 1u);
   const Tip& tip = tips.all().front();
   const double spacing = tree.spacing_at(tip.place + tip.reach * tip.along);
-  EXPECT_GE(tip.ring_radius(), 0.69 * spacing);
-  EXPECT_LE(tip.ring_radius(), 0.8 * spacing);
+  EXPECT_GE(tip.ring_step(), 0.69 * spacing);
+  EXPECT_LE(tip.ring_step(), 0.8 * spacing);
 }
 
 TEST(Tips, HaveSixPointsOnTheRingAndNoneBeyondOrInItsBall) {
@@ -69,15 +76,15 @@ TEST(Tips, HaveSixPointsOnTheRingAndNoneBeyondOrInItsBall) {
   const std::vector<OctantEdgeCut> cuts = cut_octant_edges(model, tree, vertices, edges);
   const OctreeLabels labels = label_vertices(model, tree, vertices, types, edges, cuts);
   const Seeds seeds = test::seed_points(model, tree, vertices, labels, cuts, {kSize});
-  const double radius = 0.5 * tip.reach * std::hypot(1.0, tip.taper);
   int on_ring = 0;
   for (std::size_t i = 0; i < seeds.points.size(); ++i) {
     const Vec3 p = seeds.points.position[i];
     if (seeds.points.on[i] == model_vertex(tip.vertex)) continue;
-    if (std::abs((p - tip.place).norm() - tip.reach) < 1e-6)
+    const double outside = distance_from_ball(tip, p);
+    if (std::abs(outside) < 1e-6)
       ++on_ring;
     else
-      EXPECT_GT((p - tip.place - radius * tip.along).norm(), radius) << p.transpose();
+      EXPECT_GT(outside, 0.0) << p.transpose();
   }
   EXPECT_EQ(on_ring, 6);
 }
@@ -93,7 +100,7 @@ TEST(Tips, MoveWhatTheyHoldToTheRingOnTheSameSideOfTheCone) {
     EXPECT_EQ(tips.holder(face, inside), &tip);
     const std::optional<Vec3> moved = ring_point(model, tip, face, inside);
     ASSERT_TRUE(moved);
-    EXPECT_NEAR((*moved - tip.place).norm(), tip.reach, 1e-6);
+    EXPECT_NEAR(distance_from_ball(tip, *moved), 0.0, 1e-6);
     EXPECT_LT((*moved - tip.place).cross(inside - tip.place).norm(), 1e-6);
     EXPECT_EQ(tips.holder(face, *moved), nullptr);
   }
