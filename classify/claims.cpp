@@ -62,6 +62,11 @@ TriangleFoot foot_of_triangle(const ClaimInput& in, std::uint32_t t) {
   if (seed != nullptr) foot = in.model.face_project(face, centre, seed->uv);
   if (!foot.converged) foot = in.model.face_project(face, centre);
   const Vec3 own = in.cross(triangle);
+  // Where the face bends sharply the way down from a corner may lead to its other side: the nearest counts.
+  if (seed != nullptr && own.dot(foot.normal) < 0.0) {
+    const FaceFoot other = in.model.face_project(face, centre);
+    if (other.converged && (other.point - centre).norm() < (foot.point - centre).norm()) foot = other;
+  }
   // Beyond its trim a surface may fold back and offer a foot that is not the face's.
   if (own.dot(foot.normal) < 0.0 && in.model.face_side(face, foot.uv) == TrimSide::kOut) {
     const Foot trimmed = in.model.face_closest(face, centre);

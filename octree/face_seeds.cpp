@@ -39,7 +39,7 @@ class FaceSeeder {
   /// The rings of sharp tips.
   void add_rings() {
     for (const Tip& tip : state_.seeds.tips.all())
-      for (const Vec3& place : ring_places(tip))
+      for (const Vec3& place : ring_places(model_, tip))
         for (const int face : tip.faces) {
           const std::optional<Vec3> p = ring_point(model_, tip, face, place);
           if (!p) continue;

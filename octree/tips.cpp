@@ -299,17 +299,22 @@ bool Tips::are_beside(const Vec3& p) const {
   });
 }
 
-std::vector<Vec3> ring_places(const Tip& tip) {
+namespace {
+
+/// Evenly about the ellipse.
+std::vector<Vec3> ring_places(const Tip& tip, int count) {
   const Vec3 third = tip.along.cross(tip.across);
   std::vector<Vec3> places;
-  for (int k = 0; k < kRing; ++k) {
-    const double angle = 2.0 * std::numbers::pi * k / kRing;
+  for (int k = 0; k < count; ++k) {
+    const double angle = 2.0 * std::numbers::pi * k / count;
     const Vec3 way =
         tip.along + tip.taper * std::cos(angle) * tip.across + tip.lesser_taper * std::sin(angle) * third;
     places.emplace_back(tip.place + tip.reach / way.squaredNorm() * way);
   }
   return places;
 }
+
+}  // namespace
 
 std::optional<Vec3> ring_point(const Model& model, const Tip& tip, int face, const Vec3& p) {
   constexpr int kSteps = 20;
@@ -327,6 +332,39 @@ std::optional<Vec3> ring_point(const Model& model, const Tip& tip, int face, con
     return foot.point;
   }
   return std::nullopt;
+}
+
+std::vector<Vec3> ring_places(const Model& model, const Tip& tip) {
+  constexpr int kSamples = 48;
+  const std::vector<Vec3> round = ring_places(tip, kSamples);
+  std::vector<Vec3> places;
+  for (const Vec3& place : round) {
+    std::optional<Vec3> found;
+    for (std::size_t f = 0; f < tip.faces.size() && !found; ++f)
+      found = ring_point(model, tip, tip.faces[f], place);
+    if (!found) return ring_places(tip, kRing);
+    places.push_back(*found);
+  }
+  // At each place the length there and the turn of its sides, as shares of the whole.
+  std::vector<double> length, turn;
+  for (int i = 0; i < kSamples; ++i) {
+    const Vec3 before = places[i] - places[(i + kSamples - 1) % kSamples];
+    const Vec3 behind = places[(i + 1) % kSamples] - places[i];
+    length.push_back(0.5 * (before.norm() + behind.norm()));
+    turn.push_back(std::atan2(before.cross(behind).norm(), before.dot(behind)));
+  }
+  const double all_length = std::accumulate(length.begin(), length.end(), 0.0);
+  const double all_turn = std::accumulate(turn.begin(), turn.end(), 0.0);
+  const auto first = std::max_element(turn.begin(), turn.end()) - turn.begin();
+  std::vector<Vec3> chosen;
+  double gone = 0.0;
+  for (int i = 0; i < kSamples; ++i) {
+    const auto at = static_cast<std::size_t>((first + i) % kSamples);
+    if (gone >= static_cast<double>(chosen.size()) / kRing - 1e-9) chosen.push_back(places[at]);
+    const auto next = (at + 1) % kSamples;
+    gone += 0.25 * ((length[at] + length[next]) / all_length + (turn[at] + turn[next]) / all_turn);
+  }
+  return chosen;
 }
 
 std::optional<double> ring_parameter(const Model& model, const Tip& tip, int edge) {

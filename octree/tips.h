@@ -56,8 +56,10 @@ class Tips {
   std::vector<Tip> tips_;
 };
 
-/// Places of a tip's ring, about the axis. Those that lie on no face of the tip get no point.
-[[nodiscard]] std::vector<Vec3> ring_places(const Tip& tip);
+/// Six places of a tip's ring, about the axis, between which the faces turn as much and are as wide, by
+/// turns. Where faces do not go all around they are those about the ellipse, and some lie on no face of the
+/// tip.
+[[nodiscard]] std::vector<Vec3> ring_places(const Model& model, const Tip& tip);
 /// The point of the face on the tip's ring that is nearest to the way from the vertex to p; none beyond the
 /// face's boundary.
 [[nodiscard]] std::optional<Vec3> ring_point(const Model& model, const Tip& tip, int face, const Vec3& p);

@@ -47,7 +47,7 @@ TopoDS_Shape loft_to_a_point() {
 
 void expect_complete(const std::string& name, const TopoDS_Shape& shape) {
   const Model model = model_from_shape(shape);
-  for (const double size : {2.0, 1.0, 0.5}) {
+  for (const double size : {2.0, 1.0}) {
     MeshOptions options;
     options.size = size;
     const MeshReport report = mesh_part(model, options).report;
@@ -67,7 +67,7 @@ TEST(FlatTips, AreMeasuredEitherWay) {
   EXPECT_NEAR(std::abs(tip.across.x()), 1.0, 1e-6);
   EXPECT_NEAR(tip.taper, kRadius / kHeight, 1e-6);
   EXPECT_NEAR(tip.lesser_taper, 0.5 * kRadius / kHeight, 1e-6);
-  for (const Vec3& place : ring_places(tip)) {
+  for (const Vec3& place : ring_places(model, tip)) {
     const auto p = ring_point(model, tip, tip.faces.front(), place);
     ASSERT_TRUE(p);
     EXPECT_LT((*p - place).norm(), 1e-6 * tip.reach) << "the ring is on the cone";
@@ -75,7 +75,7 @@ TEST(FlatTips, AreMeasuredEitherWay) {
 }
 
 TEST(FlatTips, AConeSqueezedFlatCloses) {
-  for (const double share : {0.8, 0.6}) expect_complete(std::to_string(share), flat_cone(share));
+  for (const double share : {0.8, 0.5}) expect_complete(std::to_string(share), flat_cone(share));
 }
 
 TEST(FlatTips, ALoftThatEndsInAPointCloses) { expect_complete("loft", loft_to_a_point()); }

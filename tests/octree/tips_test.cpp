@@ -95,7 +95,7 @@ TEST(Tips, MoveWhatTheyHoldToTheRingOnTheSameSideOfTheCone) {
   ASSERT_EQ(tips.all().size(), 1u);
   const Tip& tip = tips.all().front();
   const int face = tip.faces.front();
-  for (const Vec3& place : ring_places(tip)) {
+  for (const Vec3& place : ring_places(model, tip)) {
     const Vec3 inside = model.face_project(face, tip.place + 0.4 * (place - tip.place)).point;
     EXPECT_EQ(tips.holder(face, inside), &tip);
     const std::optional<Vec3> moved = ring_point(model, tip, face, inside);
