@@ -43,10 +43,20 @@ Fault fault_of_coarseness(double size, const Vec3& place) {
 }
 
 Fault warning_of(const FaceCrossing& crossing, const Model& part) {
+  const std::string what = crossing.is_of_itself() ? "itself" : part.describe(model_face(crossing.face[1]));
   return {model_face(crossing.face[0]), crossing.place,
-          fmt::format("it crosses {} by {:.3g} mm or more", part.describe(model_face(crossing.face[1])),
-                      crossing.depth),
-          "mend the part there"};
+          fmt::format("it crosses {} by {:.3g} mm or more", what, crossing.depth), "mend the part there"};
+}
+
+std::string refusal_of(const FaceCrossing& crossing, const Model& part) {
+  const std::string first = part.describe(model_face(crossing.face[0]));
+  const std::string what = crossing.is_of_itself()
+                               ? first + " crosses itself"
+                               : first + " and " + part.describe(model_face(crossing.face[1])) + " cross";
+  return fmt::format(
+      "{} at ({:.6g}, {:.6g}, {:.6g}): the part's boundary meets itself, so it bounds no volume; mend the "
+      "part there",
+      what, crossing.place.x(), crossing.place.y(), crossing.place.z());
 }
 
 }  // namespace octet

@@ -2,6 +2,8 @@
 // What the part's own faults do to a mesh, in words.
 #pragma once
 
+#include <string>
+
 #include "base/fault.h"
 #include "geom/face_crossings.h"
 #include "geom/face_touches.h"
@@ -13,6 +15,8 @@ namespace octet {
 /// Where features were taken away it is they who leave such gaps: no mending helps.
 [[nodiscard]] Fault warning_of(const WideGap& gap, const Model& part);
 [[nodiscard]] Fault warning_of(const FaceCrossing& crossing, const Model& part);
+/// Why a part with such a crossing is not meshed.
+[[nodiscard]] std::string refusal_of(const FaceCrossing& crossing, const Model& part);
 [[nodiscard]] Fault fault_of(const FaceTouch& touch, const Model& part);
 /// Of a part that is far thinner than the size all over; `place`: about its middle.
 [[nodiscard]] Fault fault_of_coarseness(double size, const Vec3& place);

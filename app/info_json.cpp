@@ -127,6 +127,14 @@ Json interfaces_json(const PartInfo& info) {
   return json;
 }
 
+Json crossings_json(const PartInfo& info) {
+  Json json = Json::array();
+  for (const FaceCrossing& crossing : info.crossings)
+    json.push_back(
+        {{"faces", crossing.face}, {"place", vec_json(crossing.place)}, {"depth", crossing.depth}});
+  return json;
+}
+
 Json overlaps_json(const Model& model, const PartInfo& info) {
   Json json = Json::array();
   for (const Overlap& overlap : info.overlaps) {
@@ -216,6 +224,7 @@ std::string part_info_json(const std::string& part, const Model& model, const Pa
   json["pinched_vertices"] = info.contact.vertices;
   json["embedded_faces"] = info.embedded_faces;
   json["dangling_faces"] = info.dangling_faces;
+  json["crossings"] = crossings_json(info);
   json["notes"] = model.notes();
   json["tree"] = tree_json(model);
   json["interfaces"] = interfaces_json(info);

@@ -165,6 +165,12 @@ std::string fault_summary(const Model& model, const PartInfo& info) {
   if (!info.contact.vertices.empty())
     text += fmt::format("  pinched vertices {} (the boundary touches itself)\n",
                         tag_list("Vertex", info.contact.vertices));
+  for (const FaceCrossing& crossing : info.crossings) {
+    const std::string first = model.describe(model_face(crossing.face[0]));
+    text += fmt::format("  crossing         {} crosses {} at {}, by {:.3g} mm or more\n", first,
+                        crossing.is_of_itself() ? "itself" : model.describe(model_face(crossing.face[1])),
+                        place_text(crossing.place), crossing.depth);
+  }
   if (!info.dangling_faces.empty())
     text += fmt::format("  dangling faces   {}\n", tag_list("Face", info.dangling_faces));
   return text.empty() ? "  faults   none: every face bounds a region or lies in one, every edge joins faces\n"

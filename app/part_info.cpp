@@ -69,6 +69,7 @@ std::vector<Interface> interfaces_of(const Model& model) {
 
 PartInfo part_info(const Model& model) {
   PartInfo info;
+  info.crossings = model.crossings();
   for (const Vec3& node : model.facets().nodes) info.box.add(node);
   add_edges(model, info);
   add_faces(model, info);

@@ -167,12 +167,7 @@ class Run {
   void refuse_crossings() {
     constexpr double kSeenShare = 0.5;
     for (const FaceCrossing& crossing : part_.crossings()) {
-      if (crossing.depth > kSeenShare * plan_.asked)
-        throw InputError(fmt::format(
-            "{} and {} cross at ({:.6g}, {:.6g}, {:.6g}): the part's boundary meets itself, so it "
-            "bounds no volume; mend the part there",
-            part_.describe(model_face(crossing.face[0])), part_.describe(model_face(crossing.face[1])),
-            crossing.place.x(), crossing.place.y(), crossing.place.z()));
+      if (crossing.depth > kSeenShare * plan_.asked) throw InputError(refusal_of(crossing, part_));
       crossings_.push_back(warning_of(crossing, part_));
       result_.report.warnings.push_back(crossings_.back());
     }

@@ -158,8 +158,10 @@ std::string mesh_summary(const Model& model, const MeshReport& report) {
   text += times_line(report.times);
   text += note_lines(model);
   if (!report.warnings.empty())
-    text += fmt::format("  warnings {}: the part is open there by more than a twentieth of the size\n{}",
-                        report.warnings.size(), fault_lines(model, report.warnings));
+    text += fmt::format(
+        "  warnings {}: the part is open there by more than a twentieth of the size, or its boundary meets "
+        "itself\n{}",
+        report.warnings.size(), fault_lines(model, report.warnings));
   if (report.status == MeshStatus::kComplete)
     return text + fmt::format("  status   complete: all {} claims hold\n", report.acceptance.claims.size());
   text += fmt::format("  status   incomplete: {} faults\n", report.faults.size());

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Facets that pierce facets of other faces give seeds; Newton's method on both surfaces decides.
+// Facets that pierce others give seeds; Newton's method on both surfaces decides, or on both places of one.
 #include "geom/face_crossings.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -10,12 +11,14 @@
 #include <mutex>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "base/bucket_sort.h"
 #include "geom/facet_bvh.h"
 #include "geom/model_data.h"
+#include "geom/surface.h"
 
 namespace octet {
 namespace {
@@ -25,6 +28,11 @@ constexpr double kLeastSine = 0.02;
 
 /// Seeds tried for a pair of faces: the deepest of so many places is deep enough to tell.
 constexpr int kSeeds = 64;
+
+/// Of Newton's method.
+constexpr int kSteps = 12;
+
+constexpr std::array<std::string_view, 5> kClosedForms{"plane", "cylinder", "cone", "sphere", "torus"};
 
 struct Pair {
   int seeds = 0;
@@ -88,11 +96,20 @@ class CrossingFinder {
         if (facets_.face[side.triangle] != facets_.face[u])
           for (const Vec3& seed : {*at, middle_of_common(side.triangle, u, *at)})
             try_pair(facets_.face[side.triangle], facets_.face[u], seed);
+        else if (is_free_form(facets_.face[u]))
+          try_face(side.triangle, u, *at);
     };
     const int face = facets_.face[sides.front().triangle];
     const bool within_face = std::all_of(
         sides.begin(), sides.end(), [&](const Side& side) { return facets_.face[side.triangle] == face; });
-    model_.bvh().visit_segment(p, q, look_at, within_face ? face : 0);
+    model_.bvh().visit_segment(p, q, look_at, within_face && !is_free_form(face) ? face : 0);
+  }
+
+  /// Others cross themselves nowhere, but for tori through their own axis (geom/occt/pinched_faces).
+  [[nodiscard]] bool is_free_form(int face) const {
+    const std::string_view kind = model_.surface(face).kind();
+    return std::none_of(kClosedForms.begin(), kClosedForms.end(),
+                        [&](std::string_view form) { return kind == form; });
   }
 
   /// Where a segment goes through a triangle, its corners and sides included.
@@ -137,9 +154,63 @@ class CrossingFinder {
     if (crossing.depth > pair.crossing.depth) pair.crossing = crossing;
   }
 
+  /// Two facets of one face.
+  void try_face(std::uint32_t t, std::uint32_t u, const Vec3& at) {
+    const int face = facets_.face[t];
+    Pair& pair = pairs_[{face, face}];
+    if (pair.seeds == kSeeds) return;
+    ++pair.seeds;
+    const FaceCrossing crossing = crossing_of_itself(face, uv_at(t, at), uv_at(u, at), at);
+    if (crossing.depth > pair.crossing.depth) pair.crossing = crossing;
+  }
+
+  /// (u,v) of a place on a facet.
+  [[nodiscard]] Vec2 uv_at(std::uint32_t t, const Vec3& p) const {
+    const std::array<Vec3, 3> c = facet_corners(facets_, t);
+    const Vec3 normal = (c[1] - c[0]).cross(c[2] - c[0]);
+    const double b = (p - c[0]).cross(c[2] - c[0]).dot(normal) / normal.squaredNorm();
+    const double d = (c[1] - c[0]).cross(p - c[0]).dot(normal) / normal.squaredNorm();
+    const auto& uv = facets_.uv[t];
+    return uv[0] + b * (uv[1] - uv[0]) + d * (uv[2] - uv[0]);
+  }
+
+  /// As crossing_near(), from two places of one face. It goes no deeper than the part of the face between the
+  /// two reaches away, along the straight way in (u,v): a fold may be far from all edges, and small.
+  [[nodiscard]] FaceCrossing crossing_of_itself(int face, Vec2 here, Vec2 there, Vec3 p) const {
+    const FaceCrossing none{{face, face}, p, 0.0};
+    const double close = 4.0 * model_.tolerance();
+    for (int step = 0; step < kSteps; ++step) {
+      const FaceFoot a = model_.face_project(face, p, here), b = model_.face_project(face, p, there);
+      if (!a.converged || !b.converged) return none;
+      here = a.uv;
+      there = b.uv;
+      const double cosine = a.normal.dot(b.normal), sine = a.normal.cross(b.normal).norm();
+      if (sine < kLeastSine) return none;
+      if ((a.point - p).norm() <= close && (b.point - p).norm() <= close) {
+        if (model_.face_side(face, here) != TrimSide::kIn || model_.face_side(face, there) != TrimSide::kIn)
+          return none;
+        return {{face, face},
+                p,
+                std::min(clear_of_edges(face, p, sine), way_between(face, here, there, p)) * sine};
+      }
+      const double det = 1.0 - cosine * cosine;
+      const double off_a = (a.point - p).dot(a.normal), off_b = (b.point - p).dot(b.normal);
+      p += ((off_a - cosine * off_b) / det) * a.normal + ((off_b - cosine * off_a) / det) * b.normal;
+    }
+    return none;
+  }
+
+  /// How far the face goes away from p between two places that are both there.
+  [[nodiscard]] double way_between(int face, const Vec2& here, const Vec2& there, const Vec3& p) const {
+    constexpr int kPieces = 32;
+    double most = 0.0;
+    for (int i = 1; i < kPieces; ++i)
+      most = std::max(most, (model_.face_jet(face, here + (there - here) * i / kPieces, 0).p - p).norm());
+    return most;
+  }
+
   /// Steps to the nearest point of both tangent planes. Depth 0: the surfaces do not prove to cross.
   [[nodiscard]] FaceCrossing crossing_near(int f, int g, const Vec3& seed) const {
-    constexpr int kSteps = 12;
     const FaceCrossing none{{f, g}, seed, 0.0};
     const double close = 4.0 * model_.tolerance();
     Vec3 p = seed;

@@ -33,10 +33,11 @@ std::vector<FaceTouch> touches_without_crossings(const Model& model) {
   return touches;
 }
 
-/// Those of faces of one region.
+/// Those of two faces of one region.
 std::vector<FaceCrossing> crossings_within_regions(const Model& model) {
   std::vector<FaceCrossing> crossings = model.crossings();
   std::erase_if(crossings, [&](const FaceCrossing& crossing) {
+    if (crossing.is_of_itself()) return true;
     const auto &a = model.face(crossing.face[0]).region, &b = model.face(crossing.face[1]).region;
     return std::none_of(a.begin(), a.end(),
                         [&](int region) { return region != 0 && (region == b[0] || region == b[1]); });

@@ -4,10 +4,19 @@
 
 #include <gtest/gtest.h>
 
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepOffsetAPI_MakePipeShell.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <Geom_BezierCurve.hxx>
+#include <TColgp_Array1OfPnt.hxx>
+#include <TopoDS_Wire.hxx>
+#include <gp.hxx>
 #include <gp_Ax2.hxx>
+#include <gp_Circ.hxx>
 #include <gp_Pnt.hxx>
+#include <gp_Vec.hxx>
 
 #include "geom/occt/from_shape.h"
 #include "geom/occt/reader.h"
@@ -45,6 +54,40 @@ TEST(FaceCrossings, FacesOfFewFacetsThatPierceEachOtherAtTheirEdges) {
   const std::vector<FaceCrossing> crossings = Model(read_job(job)).crossings();
   EXPECT_EQ(crossings.size(), 6u) << "three sides of either box with two of the other each";
   for (const FaceCrossing& crossing : crossings) EXPECT_NEAR(crossing.depth, 2.5, 1e-9);
+}
+
+/// A round bar along a parabola that turns by a right angle, with a radius of 14.1 at least.
+TopoDS_Shape bent_bar(double radius) {
+  TColgp_Array1OfPnt poles(1, 3);
+  poles.SetValue(1, gp_Pnt(0.0, 0.0, 0.0));
+  poles.SetValue(2, gp_Pnt(0.0, 0.0, 20.0));
+  poles.SetValue(3, gp_Pnt(20.0, 0.0, 20.0));
+  const Handle(Geom_BezierCurve) parabola = new Geom_BezierCurve(poles);
+  const TopoDS_Wire spine = BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(parabola));
+  BRepOffsetAPI_MakePipeShell pipe(spine);
+  pipe.Add(BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(gp_Circ(gp_Ax2(gp::Origin(), gp::DZ()), radius))));
+  pipe.Build();
+  pipe.MakeSolid();
+  return pipe.Shape();
+}
+
+TEST(FaceCrossings, APipeBentTighterThanItIsThickCrossesItself) {
+  ReadJob job;
+  job.shape = bent_bar(17.0);
+  const Model model(read_job(job));
+  const std::vector<FaceCrossing> crossings = model.crossings();
+  ASSERT_EQ(crossings.size(), 1u);
+  const FaceCrossing& crossing = crossings.front();
+  EXPECT_TRUE(crossing.is_of_itself());
+  EXPECT_LT((model.face_project(crossing.face[0], crossing.place).point - crossing.place).norm(), 1e-6);
+  EXPECT_GT(crossing.place.x(), 0.0) << "on the inside of the bend";
+  EXPECT_LT(crossing.place.z(), 20.0);
+  EXPECT_GT(crossing.depth, 0.1);
+  EXPECT_LT(crossing.depth, 17.0);
+}
+
+TEST(FaceCrossings, OneWithRoomInItsBendDoesNot) {
+  EXPECT_TRUE(model_from_shape(bent_bar(10.0)).crossings().empty());
 }
 
 TEST(FaceCrossings, NoneWhereFacesMeetInTheirEdges) {
