@@ -43,8 +43,10 @@ void add_reading_options(CLI::App& command, ReadOptions& reading) {
       ->type_name("LENGTH")
       ->check(CLI::PositiveNumber);
   command
-      .add_option("--read-time-limit", reading.time_limit,
-                  "Refuse a part whose reading takes more seconds; 0: no limit (default: 300)")
+      .add_option(
+          "--read-time-limit", reading.time_limit,
+          "Refuse a part whose reading takes more seconds, or, if that is for fusing its solids, read them "
+          "apart, which is a fault; 0: no limit (default: 300)")
       ->type_name("SECONDS")
       ->check(CLI::Range(0.0, 1e9));
   const auto set_memory = [&reading](double gigabytes) {
@@ -52,9 +54,10 @@ void add_reading_options(CLI::App& command, ReadOptions& reading) {
     reading.memory_limit = static_cast<std::size_t>(gigabytes * kGigabyte);
   };
   command
-      .add_option_function<double>(
-          "--read-memory-limit", set_memory,
-          "Refuse a part whose reading needs more memory (default: half of the machine's)")
+      .add_option_function<double>("--read-memory-limit", set_memory,
+                                   "Refuse a part whose reading needs more memory, or read its solids apart, "
+                                   "as above (default: half of "
+                                   "the machine's)")
       ->type_name("GB")
       ->check(CLI::Range(1e-3, 1e9));
 }

@@ -203,7 +203,7 @@ AssembledPart assemble(const CadDocument& document, const ReadOptions& options, 
   SolidSet healed = collect_solids(document.shape, as_read, sewing);
   heal(as_read, {sewing, options.smallest_feature}, meeting, log, healed);
   if (options.fuse && healed.solids.size() > 1) {
-    log("looking for faces that solids have alike");
+    log(std::string(kFindingCommonFaces));
     join_common_faces(healed);
   }
   JoinedSolids joined = join_solids(as_read, healed, options, log);

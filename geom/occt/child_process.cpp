@@ -239,8 +239,7 @@ class Follower {
       if (limits_.seconds > 0.0) {
         const double left = limits_.seconds - std::chrono::duration<double>(Clock::now() - start_).count();
         if (left <= 0.0)
-          throw InputError(
-              fmt::format("{} took too long: the limit for reading is {:g} s", stage_, limits_.seconds));
+          no_end(fmt::format("{} took too long: the limit for reading is {:g} s", stage_, limits_.seconds));
         const int wait = static_cast<int>(std::min(1e6, std::ceil(1e3 * left)));
         milliseconds = milliseconds < 0 ? wait : std::min(milliseconds, wait);
       }
@@ -254,20 +253,21 @@ class Follower {
     if (now > start_bytes_ + limits_.bytes) throw_memory();
   }
 
+  [[noreturn]] void no_end(const std::string& message) const { throw NoEnd(message, stage_); }
+
   [[noreturn]] void throw_memory() const {
     constexpr double kGigabyte = 1e9;
-    throw InputError(fmt::format("{} needs too much memory: the limit for reading is {:.3g} GB", stage_,
-                                 static_cast<double>(limits_.bytes) / kGigabyte));
+    no_end(fmt::format("{} needs too much memory: the limit for reading is {:.3g} GB", stage_,
+                       static_cast<double>(limits_.bytes) / kGigabyte));
   }
 
   [[noreturn]] void throw_died() const {
     const int status = child_.wait();
-    if (!WIFSIGNALED(status)) throw InputError(fmt::format("the CAD kernel gave up while {}", stage_));
+    if (!WIFSIGNALED(status)) no_end(fmt::format("the CAD kernel gave up while {}", stage_));
     const int signal = WTERMSIG(status);
     if (signal == SIGINT || signal == SIGTERM) throw Cancelled();
-    if (signal == SIGKILL)
-      throw InputError(fmt::format("{} was killed, by a lack of memory as it seems", stage_));
-    throw InputError(fmt::format("the CAD kernel crashed while {} ({})", stage_, ::strsignal(signal)));
+    if (signal == SIGKILL) no_end(fmt::format("{} was killed, by a lack of memory as it seems", stage_));
+    no_end(fmt::format("the CAD kernel crashed while {} ({})", stage_, ::strsignal(signal)));
   }
 
   int fd_;

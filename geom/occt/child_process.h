@@ -7,12 +7,26 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
+
+#include "base/error.h"
 
 namespace octet {
 
 struct ChildLimits {
   double seconds = 0.0;   ///< wall time; 0: none
   std::size_t bytes = 0;  ///< resident memory beyond that at the start, looked at 50 times a second; 0: none
+};
+
+/// The work came to no end: it took too long, needed too much memory, crashed or was killed.
+class NoEnd : public InputError {
+ public:
+  NoEnd(const std::string& message, std::string stage) : InputError(message), stage_(std::move(stage)) {}
+  /// What was being done, in the words of the log.
+  [[nodiscard]] const std::string& stage() const { return stage_; }
+
+ private:
+  std::string stage_;
 };
 
 /// Told what comes next; the words complete "while ...", as in "fusing 12 solids".
@@ -25,7 +39,7 @@ using ChildWork = std::function<std::string(const StageLog&)>;
 [[nodiscard]] bool has_one_thread();
 
 /// Forks, runs `work` in the child and returns its answer. Requires has_one_thread().
-/// InputError names the stage: the work took too long, needed too much memory or crashed. Errors of the work
+/// NoEnd: the work took too long, needed too much memory or crashed. Errors of the work
 /// itself come out as they were thrown (InputError, ModelError with its entity, Bug, std::bad_alloc). The
 /// child is gone when this returns or throws. Cancelled: the child was interrupted.
 [[nodiscard]] std::string run_in_child(const ChildWork& work, const ChildLimits& limits);

@@ -136,7 +136,7 @@ class Joiner {
     part_ = {};
     joined_ = {healed_.solids, new BRepTools_History(), {}};
     if (fuses()) {
-      log_(fmt::format("fusing {} solid(s) that may touch", healed_.solids.size()));
+      log_(fmt::format("{} {} solid(s) that may touch", kFusing, healed_.solids.size()));
       fuse_touching(joined_, options_.fuse_tolerance, apart_, fuses_);
     }
     SolidSet all{joined_.solids, new BRepTools_History(), healed_.notes, healed_.caps};

@@ -4,6 +4,7 @@
 
 #include <TopoDS_Shape.hxx>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "geom/occt/assemble.h"
@@ -23,6 +24,10 @@ struct JoinedSolids {
   std::vector<KeptApart> apart;  ///< those joined late, too; indices are tags of regions here
   std::vector<LostSolid> lost;
 };
+
+/// How the stages begin in which solids are joined (StageLog).
+inline constexpr std::string_view kFusing = "fusing";
+inline constexpr std::string_view kFindingCommonFaces = "looking for faces that solids have alike";
 
 /// Fuses the solids (ReadOptions::fuse), and makes their entities. Where that fails for one solid of several,
 /// it is first kept apart from those it touches, then left out. ModelError: no solid is left, or the

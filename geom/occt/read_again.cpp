@@ -14,6 +14,7 @@
 #include "geom/face_crossings.h"
 #include "geom/face_touches.h"
 #include "geom/occt/contact_circle.h"
+#include "geom/occt/join_solids.h"
 #include "geom/occt/time_left.h"
 #include "geom/winding.h"
 
@@ -97,6 +98,26 @@ Model with_note(const Model& model, const std::string& note) {
   ModelParts parts = model.parts();
   parts.notes.push_back(note);
   return Model(std::move(parts));
+}
+
+Model read_at_least_apart(const ReadJob& job, const std::function<Model(const ReadJob&)>& read) {
+  try {
+    return read(job);
+  } catch (const NoEnd& error) {
+    const bool joining =
+        error.stage() == kFindingCommonFaces || std::string_view(error.stage()).starts_with(kFusing);
+    if (!joining || job.options.embed) throw;
+    ReadJob next = job;
+    next.options.fuse = false;
+    ModelParts parts = read(next).parts();
+    Fault fault;
+    fault.place = Model(parts).box().centre();
+    fault.cause =
+        fmt::format("the solids are kept apart, and share no faces where they touch: {}", error.what());
+    fault.advice = "give it longer (--read-time-limit), or ask for solids that are apart (--no-fuse)";
+    parts.faults.push_back(fault);
+    return Model(std::move(parts));
+  }
 }
 
 Model read_united(ReadJob& job, Model model) {

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Second readings, of parts whose model shows faces of one solid that cross or touch.
+// Second readings: of parts whose solids cannot be joined, or of whose faces some cross or touch.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "geom/model.h"
 #include "geom/occt/reader.h"
 
 namespace octet {
+
+/// What `read` makes of the job. Where its solids cannot be joined, for that takes too long, needs too much
+/// memory or crashes OCCT, what it makes of the job without: each by itself, with a fault that says so.
+[[nodiscard]] Model read_at_least_apart(const ReadJob& job, const std::function<Model(const ReadJob&)>& read);
 
 /// The job read with the faces that cross cut along each other, and of the solids what they enclose: three
 /// times at most, as long as fewer cross by it and nothing else changes, or `model` as it was, with a note

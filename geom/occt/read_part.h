@@ -26,7 +26,8 @@ struct ReadOptions {
   /// OCCT may hang, crash or take all memory on a damaged part: it works in a child process, so that this one
   /// gets an InputError instead. False: in this process and without limits (for debuggers).
   bool isolate = true;
-  double time_limit = 300.0;     ///< seconds of wall time for all of reading; 0: none
+  double time_limit = 300.0;     ///< seconds of wall time for all of reading, and again where that ends in a
+                                 ///< fuse: the solids are then read apart; 0: none
   std::size_t memory_limit = 0;  ///< bytes for the child; 0: half of the machine's memory
   /// The program octet-reader, which reads where a process with several threads cannot fork. Empty: beside
   /// the running program, in its ../libexec/octet, where Octet was installed, or in /usr/libexec/octet; where
@@ -45,6 +46,7 @@ struct ReadOptions {
 /// Coordinates become millimetre; the file's unit is Model::unit().
 /// InputError: missing, a directory, empty, truncated, not a CAD file, no shape in it.
 /// InputError: OCCT hung, crashed or needed too much memory (names the stage and, where known, the entity).
+/// Where it did so joining solids they are kept apart, and a fault of the model says so.
 /// ModelError: nothing that bounds a volume (open shell: names the first free edge, its faces and place).
 [[nodiscard]] Model read_part(const std::filesystem::path& path, const ReadOptions& options = {});
 

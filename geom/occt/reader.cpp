@@ -178,7 +178,9 @@ ModelParts read_job(const ReadJob& job) {
   }
 }
 
-Model read_model(ReadJob job) {
+namespace {
+
+Model read_as_asked(ReadJob job) {
   const TimeLeft time(job.options.time_limit);
   std::string note;
   Model model = read_defeatured(job, note);
@@ -189,5 +191,9 @@ Model read_model(ReadJob job) {
   model = read_imprinted(std::move(job), std::move(model));
   return note.empty() ? std::move(model) : with_note(model, note);
 }
+
+}  // namespace
+
+Model read_model(const ReadJob& job) { return read_at_least_apart(job, read_as_asked); }
 
 }  // namespace octet

@@ -25,8 +25,9 @@ struct ReadJob {
 };
 
 /// The part. Where faces of one solid cross it is read once more, so that it becomes what it encloses; where
-/// some touch, too, and they are imprinted on each other.
-[[nodiscard]] Model read_model(ReadJob job);
+/// some touch, too, and they are imprinted on each other. Where its solids cannot be joined they are read
+/// apart, and a fault of the model says so.
+[[nodiscard]] Model read_model(const ReadJob& job);
 
 /// All that makes a model, by a child process as ReadOptions says.
 [[nodiscard]] ModelParts read_job(const ReadJob& job);

@@ -5,14 +5,21 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRep_Builder.hxx>
+#include <TopoDS_Compound.hxx>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <functional>
+#include <gp_Pnt.hxx>
+#include <string>
 #include <thread>
 
 #include "base/error.h"
 #include "geom/occt/byte_stream.h"
 #include "geom/occt/part_stream.h"
+#include "geom/occt/read_again.h"
 #include "geom/occt/reader.h"
 #include "sample_parts.h"
 
@@ -186,6 +193,35 @@ TEST(Reading, ALimitOfTimeIsKept) {
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("took too long"), std::string::npos) << error.what();
   }
+}
+
+/// Reads as OCCT would where it comes to no end in that stage.
+std::function<Model(const ReadJob&)> stuck_in(const std::string& stage) {
+  return [stage](const ReadJob& job) {
+    if (job.options.fuse) throw NoEnd(stage + " took too long", stage);
+    return Model(read_job(job));
+  };
+}
+
+TEST(Reading, SolidsThatCannotBeJoinedAreReadApart) {
+  ReadJob job;
+  const BRep_Builder builder;
+  TopoDS_Compound both;
+  builder.MakeCompound(both);
+  builder.Add(both, BRepPrimAPI_MakeBox(gp_Pnt(0, 0, 0), 1, 1, 1).Solid());
+  builder.Add(both, BRepPrimAPI_MakeBox(gp_Pnt(1, 0, 0), 1, 1, 1).Solid());
+  job.shape = both;
+  EXPECT_EQ(read_model(job).count(2), 11);
+  for (const char* stage : {"fusing 2 solid(s) that may touch", "looking for faces that solids have alike"}) {
+    const Model model = read_at_least_apart(job, stuck_in(stage));
+    EXPECT_EQ(model.count(2), 12);
+    EXPECT_TRUE(model.parts().apart);
+    ASSERT_EQ(model.parts().faults.size(), 1u);
+    EXPECT_NE(model.parts().faults[0].cause.find(stage), std::string::npos);
+  }
+  EXPECT_THROW((void)read_at_least_apart(job, stuck_in("triangulating Face 1")), NoEnd);
+  job.options.embed = true;
+  EXPECT_THROW((void)read_at_least_apart(job, stuck_in("fusing 2 solid(s) that may touch")), NoEnd);
 }
 
 }  // namespace
