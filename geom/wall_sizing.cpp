@@ -16,6 +16,7 @@
 #include "base/blocks.h"
 #include "base/error.h"
 #include "base/size_field.h"
+#include "geom/creases.h"
 #include "geom/facet_bvh.h"
 #include "geom/size_wishes.h"
 
@@ -49,12 +50,15 @@ constexpr double kElementsPerFacet = kElementsPerRay / kMany;
 /// than 2 n - 2 of them. Edges pass over one layer at most, so no path across has fewer than n.
 double octants_across(double n) { return n + 0.2; }
 
+/// By face: those that share an edge with it. Between such there is a wedge, and no wall.
 std::vector<std::vector<int>> faces_of_edges(const Model& model) {
   std::vector<std::vector<int>> neighbours(static_cast<std::size_t>(model.count(2)) + 1);
   for (int e = 1; e <= model.count(1); ++e)
     for (const int f : model.edge(e).faces)
       for (const int g : model.edge(e).faces)
         if (f != g) neighbours[static_cast<std::size_t>(f)].push_back(g);
+  for (int f = 1; f <= model.count(2); ++f)
+    if (meets_itself(model, f)) neighbours[static_cast<std::size_t>(f)].push_back(f);
   for (auto& list : neighbours) std::sort(list.begin(), list.end());
   return neighbours;
 }

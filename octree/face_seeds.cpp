@@ -88,14 +88,28 @@ class FaceSeeder {
     const ModelRef face = model_face(a.face);
     const double spacing = (model_.is_plane(a.face) ? kPlaneSpacing : kFaceSpacing) * a.size;
     const SeedPoints& points = state_.seeds.points;
-    if (own_grid_.any_within(a.p, spacing, [&](std::uint32_t n, double) { return own_[n].face == a.face; }) ||
-        state_.points_grid.any_within(
-            a.p, spacing, [&](std::uint32_t n, double) { return model_.in_closure(points.on[n], face); }))
+    const auto keeps_out = [&](ModelRef on, const Vec3& p) {
+      return model_.in_closure(on, face) && !(on == face && are_sheets(a, p));
+    };
+    if (own_grid_.any_within(
+            a.p, spacing,
+            [&](std::uint32_t n, double) { return own_[n].face == a.face && keeps_out(face, own_[n].p); }) ||
+        state_.points_grid.any_within(a.p, spacing, [&](std::uint32_t n, double) {
+          return keeps_out(points.on[n], points.position[n]);
+        }))
       return false;
     return !state_.piece_grid.any_within(a.p, a.size, [&](std::uint32_t n, double) {
       const EdgePiece& piece = state_.seeds.pieces[n];
       return (a.p - points.position[piece.a]).dot(a.p - points.position[piece.b]) < 0.0;
     });
+  }
+
+  /// Whether the point and p are on two sheets of the face that face each other, of one that meets itself: as
+  /// two faces' they do not count to one another.
+  [[nodiscard]] bool are_sheets(const FacePoint& a, const Vec3& p) const {
+    constexpr double kMostCosine = -0.5;
+    if (!state_.folded[a.face]) return false;
+    return model_.face_project(a.face, a.p).normal.dot(model_.face_project(a.face, p).normal) < kMostCosine;
   }
 
   [[nodiscard]] std::optional<FacePoint> partner(const FacePoint& a, const Vec3& normal, int side) const {

@@ -2,6 +2,9 @@
 // What the steps of Seeder share: the points so far and what keeps them apart.
 #pragma once
 
+#include <vector>
+
+#include "geom/creases.h"
 #include "geom/edge_match.h"
 #include "octree/point_grid.h"
 #include "octree/seeds.h"
@@ -24,6 +27,7 @@ struct SeedState {
         piece_grid(t.origin(), t.root_size()),
         edge_index(m, edge_cell) {
     seeds.tips = Tips(m, t);
+    for (int f = 1; f <= m.count(2); ++f) folded.push_back(meets_itself(m, f));
   }
 
   const Model& model;
@@ -32,6 +36,7 @@ struct SeedState {
   PointGrid points_grid;  ///< all points so far
   PointGrid piece_grid;   ///< midpoints of edge pieces, in cells of the local size or their length
   EdgeIndex edge_index;
+  std::vector<bool> folded{false};  ///< by face tag: it meets itself in an edge
 
   std::uint32_t add(const Vec3& p, ModelRef on, double spacing) {
     const auto n =

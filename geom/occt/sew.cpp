@@ -20,6 +20,7 @@
 
 #include "geom/occt/free_edges.h"
 #include "geom/occt/gathered.h"
+#include "geom/occt/loose_bodies.h"
 #include "geom/occt/shape_box.h"
 #include "geom/occt/shape_measures.h"
 #include "geom/occt/shell_solids.h"
@@ -41,7 +42,7 @@ void add_history(const BRepBuilderAPI_Sewing& sewing, const TopoDS_Shape& compou
   }
 }
 
-Sewn sewn_within(const TopoDS_Compound& compound, double tolerance) {
+Sewn sewn_at_once(const TopoDS_Compound& compound, double tolerance) {
   BRepBuilderAPI_Sewing sewing(tolerance);
   sewing.Add(compound);
   sewing.Perform();
@@ -52,6 +53,25 @@ Sewn sewn_within(const TopoDS_Compound& compound, double tolerance) {
   sewn.tolerance = tolerance;
   sewn.history = new BRepTools_History();
   add_history(sewing, compound, *sewn.history);
+  return sewn;
+}
+
+/// Body by body, if faces stand so that it can be told which they are: bodies may touch.
+Sewn sewn_within(const std::vector<TopoDS_Shape>& faces, double tolerance) {
+  const std::vector<std::vector<TopoDS_Shape>> bodies = bodies_in_order(faces, tolerance);
+  if (bodies.empty()) return sewn_at_once(compound_of(faces), tolerance);
+  Sewn sewn;
+  sewn.tolerance = tolerance;
+  sewn.history = new BRepTools_History();
+  std::vector<TopoDS_Shape> shapes;
+  for (const std::vector<TopoDS_Shape>& body : bodies) {
+    const Sewn one = sewn_at_once(compound_of(body), tolerance);
+    sewn.history->Merge(one.history);
+    sewn.free_edges += one.free_edges;
+    shapes.push_back(one.shape);
+  }
+  sewn.shape = compound_of(shapes);
+  sewn.solids = solids_from_shells(sewn.shape);
   return sewn;
 }
 
@@ -142,7 +162,7 @@ Sewn sew_faces(const std::vector<TopoDS_Shape>& faces, const SewOptions& options
   }
   Sewn best;
   for (const double reach : tolerances) {
-    const Sewn sewn = sewn_within(compound, reach);
+    const Sewn sewn = sewn_within(faces, reach);
     const bool worse =
         std::pair(sewn.solids.empty(), sewn.free_edges) >= std::pair(best.solids.empty(), best.free_edges);
     if (best.shape.IsNull() || !worse) best = sewn;
