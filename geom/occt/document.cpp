@@ -35,6 +35,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "geom/occt/iges_loops.h"
 #include "geom/occt/labels.h"
 #include "geom/occt/loop_sides.h"
 #include "geom/occt/stated_accuracy.h"
@@ -262,9 +263,14 @@ std::string iges_unit(int flag, const std::string& name) {
   }
 }
 
-CadDocument read_iges(const std::filesystem::path& path) {
+/// Which curves of an IGES file OCCT's reader goes by: those in space, those on the surfaces, or now these,
+/// now those.
+enum class IgesCurves { kEither = 0, kOnSurfaces = -2 };
+
+CadDocument read_iges_by(const std::filesystem::path& path, IgesCurves curves) {
   IGESControl_Controller::Init();
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
+  Interface_Static::SetIVal("read.surfacecurve.mode", static_cast<int>(curves));
   IGESCAFControl_Reader reader;
   reader.SetColorMode(true);
   reader.SetNameMode(true);
@@ -281,6 +287,21 @@ CadDocument read_iges(const std::filesystem::path& path) {
   ScopedDocument document;
   if (reader.Transfer(document.get())) collect_labels(document.get(), result);
   return result;
+}
+
+/// Where OCCT's reader goes by the curves in space it takes the part of a ball or a ring that their loop
+/// encloses, whatever the file says, or part of a ring twice where the loop meets the seam.
+CadDocument read_iges(const std::filesystem::path& path) {
+  CadDocument result = read_iges_by(path, IgesCurves::kEither);
+  if (faces_on_closed_surfaces(result.shape).empty()) return result;
+  CadDocument other = read_iges_by(path, IgesCurves::kOnSurfaces);
+  const std::vector<TopoDS_Shape> faces = other_parts(result.shape, other.shape);
+  if (faces.empty()) return result;
+  other.notes.push_back(fmt::format(
+      "{} face(s) on balls or rings, the first is {}, came out of the CAD kernel's reader with another "
+      "part of their surface than the file's loops in (u,v) bound; the file was read by these",
+      faces.size(), face_in(result.shape, faces.front())));
+  return other;
 }
 
 /// OCCT's parser never looks at the stream's state and loops for ever at an early end: the stream throws.

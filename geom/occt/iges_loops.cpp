@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Faces of the two readings are in the same order.
+#include "geom/occt/iges_loops.h"
+
+#include <BRep_Tool.hxx>
+#include <Geom_Line.hxx>
+#include <Geom_SphericalSurface.hxx>
+#include <Geom_Surface.hxx>
+#include <Geom_SurfaceOfRevolution.hxx>
+#include <Geom_TrimmedCurve.hxx>
+#include <TopoDS.hxx>
+#include <algorithm>
+#include <cmath>
+
+#include "geom/occt/shape_measures.h"
+#include "geom/occt/sub_shapes.h"
+
+namespace octet {
+namespace {
+
+bool is_closed_all_around(const TopoDS_Shape& face) {
+  const Handle(Geom_Surface) surface = BRep_Tool::Surface(TopoDS::Face(face));
+  if (surface.IsNull() || !surface->IsUPeriodic()) return false;
+  if (surface->IsVPeriodic() || surface->IsKind(STANDARD_TYPE(Geom_SphericalSurface))) return true;
+  const auto turned = Handle(Geom_SurfaceOfRevolution)::DownCast(surface);
+  if (turned.IsNull()) return false;
+  Handle(Geom_Curve) curve = turned->BasisCurve();
+  while (const auto trimmed = Handle(Geom_TrimmedCurve)::DownCast(curve)) curve = trimmed->BasisCurve();
+  return Handle(Geom_Line)::DownCast(curve).IsNull();
+}
+
+bool differ(const TopoDS_Shape& a, const TopoDS_Shape& b) {
+  constexpr double kSame = 1e-3;
+  const double of_a = std::abs(area_of(a)), of_b = std::abs(area_of(b));
+  return std::abs(of_a - of_b) > kSame * std::max(of_a, of_b);
+}
+
+}  // namespace
+
+std::vector<TopoDS_Shape> faces_on_closed_surfaces(const TopoDS_Shape& shape) {
+  std::vector<TopoDS_Shape> found;
+  const auto faces = sub_shapes(shape, TopAbs_FACE);
+  std::copy_if(faces.cbegin(), faces.cend(), std::back_inserter(found), is_closed_all_around);
+  return found;
+}
+
+std::vector<TopoDS_Shape> other_parts(const TopoDS_Shape& by_either, const TopoDS_Shape& by_surfaces) {
+  const auto faces = sub_shapes(by_either, TopAbs_FACE), others = sub_shapes(by_surfaces, TopAbs_FACE);
+  if (faces.Extent() != others.Extent()) return {};
+  std::vector<TopoDS_Shape> found;
+  for (int f = 1; f <= faces.Extent(); ++f)
+    if (is_closed_all_around(faces(f)) && differ(faces(f), others(f))) found.push_back(faces(f));
+  if (found.empty()) return {};
+  for (int f = 1; f <= faces.Extent(); ++f)
+    if (!is_closed_all_around(faces(f)) && differ(faces(f), others(f))) return {};
+  return found;
+}
+
+}  // namespace octet
