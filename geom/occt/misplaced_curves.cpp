@@ -86,6 +86,7 @@ void move_curve(const TopoDS_Edge& edge, const TopoDS_Face& face, const gp_Vec2d
 /// all of such a curve, so that of the face's size no more than a share is left to it.
 bool drop_false_poles(TopoDS_Wire wire, const TopoDS_Face& face) {
   constexpr double kShare = 0.01;
+  constexpr double kRounding = 1e-6;  // of the face's size: a profile in ten digits misses its axis by that
   const auto surface = BRep_Tool::Surface(face);
   std::vector<TopoDS_Edge> poles;
   for (TopoDS_Iterator it(wire); it.More(); it.Next()) {
@@ -101,9 +102,9 @@ bool drop_false_poles(TopoDS_Wire wire, const TopoDS_Face& face) {
     double away = 0.0;
     for (const double share : {0.1, 0.3, 0.6}) away = std::max(away, end.Distance(at(share)));
     if (end.Distance(at(1.0)) > Precision::Confusion() || away <= 10.0 * Precision::Confusion()) continue;
-    if (away >
-        std::min(BRep_Tool::Tolerance(TopExp::FirstVertex(edge)), kShare * diagonal_of(bare_box_of(face))))
-      poles.push_back(edge);
+    const double size = diagonal_of(bare_box_of(face));
+    const double allowed = std::min(BRep_Tool::Tolerance(TopExp::FirstVertex(edge)), kShare * size);
+    if (away > std::max(allowed, kRounding * size)) poles.push_back(edge);
   }
   wire.Free(true);
   const BRep_Builder builder;
