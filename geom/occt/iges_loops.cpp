@@ -11,7 +11,9 @@
 #include <TopoDS.hxx>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
+#include "geom/occt/shape_box.h"
 #include "geom/occt/shape_measures.h"
 #include "geom/occt/sub_shapes.h"
 
@@ -35,6 +37,19 @@ bool differ(const TopoDS_Shape& a, const TopoDS_Shape& b) {
   return std::abs(of_a - of_b) > kSame * std::max(of_a, of_b);
 }
 
+/// Whether b has a vertex wherever a has one: the loops are the same, but for seams.
+bool have_same_corners(const TopoDS_Shape& a, const TopoDS_Shape& b) {
+  constexpr double kSame = 1e-3;
+  const auto corners = sub_shapes(a, TopAbs_VERTEX), others = sub_shapes(b, TopAbs_VERTEX);
+  const double near = kSame * diagonal_of(box_of(a));
+  return std::all_of(corners.cbegin(), corners.cend(), [&](const TopoDS_Shape& corner) {
+    const gp_Pnt p = BRep_Tool::Pnt(TopoDS::Vertex(corner));
+    return std::any_of(others.cbegin(), others.cend(), [&](const TopoDS_Shape& other) {
+      return BRep_Tool::Pnt(TopoDS::Vertex(other)).Distance(p) <= near;
+    });
+  });
+}
+
 }  // namespace
 
 std::vector<TopoDS_Shape> faces_on_closed_surfaces(const TopoDS_Shape& shape) {
@@ -48,8 +63,11 @@ std::vector<TopoDS_Shape> other_parts(const TopoDS_Shape& by_either, const TopoD
   const auto faces = sub_shapes(by_either, TopAbs_FACE), others = sub_shapes(by_surfaces, TopAbs_FACE);
   if (faces.Extent() != others.Extent()) return {};
   std::vector<TopoDS_Shape> found;
-  for (int f = 1; f <= faces.Extent(); ++f)
-    if (is_closed_all_around(faces(f)) && differ(faces(f), others(f))) found.push_back(faces(f));
+  for (int f = 1; f <= faces.Extent(); ++f) {
+    if (!is_closed_all_around(faces(f)) || !differ(faces(f), others(f))) continue;
+    if (!have_same_corners(faces(f), others(f))) return {};
+    found.push_back(faces(f));
+  }
   if (found.empty()) return {};
   for (int f = 1; f <= faces.Extent(); ++f)
     if (!is_closed_all_around(faces(f)) && differ(faces(f), others(f))) return {};

@@ -12,8 +12,8 @@ namespace octet {
 [[nodiscard]] std::vector<TopoDS_Shape> faces_on_closed_surfaces(const TopoDS_Shape& shape);
 
 /// Faces of `by_either` on such surfaces of which `by_surfaces`, the same file read by its curves in (u,v)
-/// alone, has another part: by area. None where any other face differs as well: those curves are no good
-/// then.
+/// alone, has another part: by area, with the same corners. None where any other face differs as well, or a
+/// corner does: those curves are no good then.
 [[nodiscard]] std::vector<TopoDS_Shape> other_parts(const TopoDS_Shape& by_either,
                                                     const TopoDS_Shape& by_surfaces);
 
