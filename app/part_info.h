@@ -35,10 +35,10 @@ struct PartInfo {
   std::vector<TinyFeature> tiny;
   ModelRef widest_gap;  ///< the edge or vertex of the largest measured tolerance; tag 0: none
   SelfContact contact;
-  std::vector<int> embedded_faces;  ///< faces with the same region on both sides
-  std::vector<int> dangling_faces;  ///< faces with none on either
-  std::vector<FaceCrossing> crossings;
-  std::vector<Interface> interfaces;  ///< ascending by regions
+  std::vector<int> embedded_faces;      ///< faces with the same region on both sides
+  std::vector<int> dangling_faces;      ///< faces with none on either
+  std::vector<FaceCrossing> crossings;  ///< of all pairs of faces, and of faces with themselves
+  std::vector<Interface> interfaces;    ///< ascending by regions
   std::vector<Overlap> overlaps;
   std::vector<NumberChange> changes;  ///< but for what is not in the model (that is LeftOut)
   std::optional<Wall> thinnest;

@@ -29,9 +29,6 @@ constexpr double kLeastSine = 0.02;
 /// Seeds tried for a pair of faces: the deepest of so many places is deep enough to tell.
 constexpr int kSeeds = 64;
 
-/// Of Newton's method.
-constexpr int kSteps = 12;
-
 constexpr std::array<std::string_view, 5> kClosedForms{"plane", "cylinder", "cone", "sphere", "torus"};
 
 struct Pair {
@@ -147,20 +144,21 @@ class CrossingFinder {
 
   void try_pair(int f, int g, const Vec3& seed) {
     if (f > g) std::swap(f, g);
-    Pair& pair = pairs_[{f, g}];
-    if (pair.seeds == kSeeds) return;
-    ++pair.seeds;
-    const FaceCrossing crossing = crossing_near(f, g, seed);
-    if (crossing.depth > pair.crossing.depth) pair.crossing = crossing;
+    keep_deepest(f, g, [&] { return crossing_near(f, g, seed); });
   }
 
   /// Two facets of one face.
   void try_face(std::uint32_t t, std::uint32_t u, const Vec3& at) {
     const int face = facets_.face[t];
-    Pair& pair = pairs_[{face, face}];
+    keep_deepest(face, face, [&] { return crossing_of_itself(face, uv_at(t, at), uv_at(u, at), at); });
+  }
+
+  template <class Find>
+  void keep_deepest(int f, int g, const Find& find) {
+    Pair& pair = pairs_[{f, g}];
     if (pair.seeds == kSeeds) return;
     ++pair.seeds;
-    const FaceCrossing crossing = crossing_of_itself(face, uv_at(t, at), uv_at(u, at), at);
+    const FaceCrossing crossing = find();
     if (crossing.depth > pair.crossing.depth) pair.crossing = crossing;
   }
 
@@ -174,30 +172,63 @@ class CrossingFinder {
     return uv[0] + b * (uv[1] - uv[0]) + d * (uv[2] - uv[0]);
   }
 
-  /// As crossing_near(), from two places of one face. It goes no deeper than the part of the face between the
-  /// two reaches away, along the straight way in (u,v): a fold may be far from all edges, and small.
-  [[nodiscard]] FaceCrossing crossing_of_itself(int face, Vec2 here, Vec2 there, Vec3 p) const {
-    const FaceCrossing none{{face, face}, p, 0.0};
+  /// A place on two sheets.
+  struct Meeting {
+    Vec3 place = Vec3::Zero();
+    Vec2 here = Vec2::Zero(), there = Vec2::Zero();  ///< (u,v) on either
+    double sine = 0.0;                               ///< of their angle
+  };
+
+  /// Steps from p to the nearest point of the sheets' tangent planes at the feet of p on them. None where the
+  /// sheets do not prove to cross, within f and g.
+  template <class FootHere, class FootThere>
+  [[nodiscard]] std::optional<Meeting> meeting(int f, int g, Vec3 p, const FootHere& foot_here,
+                                               const FootThere& foot_there) const {
+    constexpr int kSteps = 12;
     const double close = 4.0 * model_.tolerance();
     for (int step = 0; step < kSteps; ++step) {
-      const FaceFoot a = model_.face_project(face, p, here), b = model_.face_project(face, p, there);
-      if (!a.converged || !b.converged) return none;
-      here = a.uv;
-      there = b.uv;
+      const FaceFoot a = foot_here(p), b = foot_there(p);
+      if (!a.converged || !b.converged) return std::nullopt;
       const double cosine = a.normal.dot(b.normal), sine = a.normal.cross(b.normal).norm();
-      if (sine < kLeastSine) return none;
+      if (sine < kLeastSine) return std::nullopt;
       if ((a.point - p).norm() <= close && (b.point - p).norm() <= close) {
-        if (model_.face_side(face, here) != TrimSide::kIn || model_.face_side(face, there) != TrimSide::kIn)
-          return none;
-        return {{face, face},
-                p,
-                std::min(clear_of_edges(face, p, sine), way_between(face, here, there, p)) * sine};
+        if (model_.face_side(f, a.uv) != TrimSide::kIn || model_.face_side(g, b.uv) != TrimSide::kIn)
+          return std::nullopt;
+        return Meeting{p, a.uv, b.uv, sine};
       }
-      const double det = 1.0 - cosine * cosine;
       const double off_a = (a.point - p).dot(a.normal), off_b = (b.point - p).dot(b.normal);
+      const double det = 1.0 - cosine * cosine;
       p += ((off_a - cosine * off_b) / det) * a.normal + ((off_b - cosine * off_a) / det) * b.normal;
     }
-    return none;
+    return std::nullopt;
+  }
+
+  /// Depth 0: the surfaces do not prove to cross.
+  [[nodiscard]] FaceCrossing crossing_near(int f, int g, const Vec3& seed) const {
+    const auto met = meeting(
+        f, g, seed, [&](const Vec3& p) { return model_.face_project(f, p); },
+        [&](const Vec3& p) { return model_.face_project(g, p); });
+    if (!met) return {{f, g}, seed, 0.0};
+    const Vec3& p = met->place;
+    return {
+        {f, g}, p, std::min(clear_of_edges(f, p, met->sine), clear_of_edges(g, p, met->sine)) * met->sine};
+  }
+
+  /// The same from two places of one face. It goes no deeper than the part of the face between the two
+  /// reaches away, along the straight way in (u,v): a fold may be far from all edges, and small.
+  [[nodiscard]] FaceCrossing crossing_of_itself(int face, Vec2 here, Vec2 there, const Vec3& seed) const {
+    const auto follow = [&](Vec2& uv) {
+      return [this, face, &uv](const Vec3& p) {
+        const FaceFoot foot = model_.face_project(face, p, uv);
+        uv = foot.uv;
+        return foot;
+      };
+    };
+    const auto met = meeting(face, face, seed, follow(here), follow(there));
+    if (!met) return {{face, face}, seed, 0.0};
+    const double depth = std::min(clear_of_edges(face, met->place, met->sine),
+                                  way_between(face, met->here, met->there, met->place));
+    return {{face, face}, met->place, depth * met->sine};
   }
 
   /// How far the face goes away from p between two places that are both there.
@@ -207,28 +238,6 @@ class CrossingFinder {
     for (int i = 1; i < kPieces; ++i)
       most = std::max(most, (model_.face_jet(face, here + (there - here) * i / kPieces, 0).p - p).norm());
     return most;
-  }
-
-  /// Steps to the nearest point of both tangent planes. Depth 0: the surfaces do not prove to cross.
-  [[nodiscard]] FaceCrossing crossing_near(int f, int g, const Vec3& seed) const {
-    const FaceCrossing none{{f, g}, seed, 0.0};
-    const double close = 4.0 * model_.tolerance();
-    Vec3 p = seed;
-    for (int step = 0; step < kSteps; ++step) {
-      const FaceFoot a = model_.face_project(f, p), b = model_.face_project(g, p);
-      if (!a.converged || !b.converged) return none;
-      const double cosine = a.normal.dot(b.normal), sine = a.normal.cross(b.normal).norm();
-      if (sine < kLeastSine) return none;
-      const double off_a = (a.point - p).dot(a.normal), off_b = (b.point - p).dot(b.normal);
-      if ((a.point - p).norm() <= close && (b.point - p).norm() <= close) {
-        if (model_.face_side(f, a.uv) != TrimSide::kIn || model_.face_side(g, b.uv) != TrimSide::kIn)
-          return none;
-        return {{f, g}, p, std::min(clear_of_edges(f, p, sine), clear_of_edges(g, p, sine)) * sine};
-      }
-      const double det = 1.0 - cosine * cosine;
-      p += ((off_a - cosine * off_b) / det) * a.normal + ((off_b - cosine * off_a) / det) * b.normal;
-    }
-    return none;
   }
 
   /// Distance to the face's edges, 0 where they are so near that their own gaps may be what crosses.

@@ -93,7 +93,7 @@ class FaceSeeder {
     };
     if (own_grid_.any_within(
             a.p, spacing,
-            [&](std::uint32_t n, double) { return own_[n].face == a.face && keeps_out(face, own_[n].p); }) ||
+            [&](std::uint32_t n, double) { return own_[n].face == a.face && !are_sheets(a, own_[n].p); }) ||
         state_.points_grid.any_within(a.p, spacing, [&](std::uint32_t n, double) {
           return keeps_out(points.on[n], points.position[n]);
         }))

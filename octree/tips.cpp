@@ -75,6 +75,19 @@ Shapes shapes_at_poles(const Model& model) {
   return shapes;
 }
 
+/// Evenly about the tip's ellipse, where it leaves the ball.
+std::vector<Vec3> places_about(const Tip& tip, int count) {
+  const Vec3 third = tip.along.cross(tip.across);
+  std::vector<Vec3> places;
+  for (int k = 0; k < count; ++k) {
+    const double angle = 2.0 * std::numbers::pi * k / count;
+    const Vec3 way =
+        tip.along + tip.taper * std::cos(angle) * tip.across + tip.lesser_taper * std::sin(angle) * third;
+    places.emplace_back(tip.place + tip.reach / way.squaredNorm() * way);
+  }
+  return places;
+}
+
 }  // namespace
 
 Tips::Tips(const Model& model, const Octree& tree) {
@@ -138,23 +151,6 @@ bool Tips::are_beside(const Vec3& p) const {
   });
 }
 
-namespace {
-
-/// Evenly about the ellipse.
-std::vector<Vec3> ring_places(const Tip& tip, int count) {
-  const Vec3 third = tip.along.cross(tip.across);
-  std::vector<Vec3> places;
-  for (int k = 0; k < count; ++k) {
-    const double angle = 2.0 * std::numbers::pi * k / count;
-    const Vec3 way =
-        tip.along + tip.taper * std::cos(angle) * tip.across + tip.lesser_taper * std::sin(angle) * third;
-    places.emplace_back(tip.place + tip.reach / way.squaredNorm() * way);
-  }
-  return places;
-}
-
-}  // namespace
-
 std::optional<Vec3> ring_point(const Model& model, const Tip& tip, int face, const Vec3& p) {
   constexpr int kSteps = 20;
   constexpr double kExact = 1e-9;
@@ -175,13 +171,13 @@ std::optional<Vec3> ring_point(const Model& model, const Tip& tip, int face, con
 
 std::vector<Vec3> ring_places(const Model& model, const Tip& tip) {
   constexpr int kSamples = 48;
-  const std::vector<Vec3> round = ring_places(tip, kSamples);
+  const std::vector<Vec3> round = places_about(tip, kSamples);
   std::vector<Vec3> places;
   for (const Vec3& place : round) {
     std::optional<Vec3> found;
     for (std::size_t f = 0; f < tip.faces.size() && !found; ++f)
       found = ring_point(model, tip, tip.faces[f], place);
-    if (!found) return ring_places(tip, kRing);
+    if (!found) return places_about(tip, kRing);
     places.push_back(*found);
   }
   // At each place the length there and the turn of its sides, as shares of the whole.

@@ -293,15 +293,19 @@ CadDocument read_iges_by(const std::filesystem::path& path, IgesCurves curves) {
 /// encloses, whatever the file says, or part of a ring twice where the loop meets the seam.
 CadDocument read_iges(const std::filesystem::path& path) {
   CadDocument result = read_iges_by(path, IgesCurves::kEither);
-  if (faces_on_closed_surfaces(result.shape).empty()) return result;
+  if (!has_closed_surface(result.shape)) return result;
   CadDocument other = read_iges_by(path, IgesCurves::kOnSurfaces);
-  const std::vector<TopoDS_Shape> faces = other_parts(result.shape, other.shape);
+  const auto [faces, believed] = other_parts(result.shape, other.shape);
   if (faces.empty()) return result;
-  other.notes.push_back(fmt::format(
-      "{} face(s) on balls or rings, the first is {}, came out of the CAD kernel's reader with another "
-      "part of their surface than the file's loops in (u,v) bound; the file was read by these",
-      faces.size(), face_in(result.shape, faces.front())));
-  return other;
+  CadDocument& taken = believed ? other : result;
+  taken.notes.push_back(
+      fmt::format("{} face(s) on balls or rings, the first is {}, came out of the CAD kernel's reader with "
+                  "another part of "
+                  "their surface than the file's loops in (u,v) bound; {}",
+                  faces.size(), face_in(result.shape, faces.front()),
+                  believed ? "the file was read by these"
+                           : "these do not fit the curves in space, by which they were read"));
+  return std::move(taken);
 }
 
 /// OCCT's parser never looks at the stream's state and loops for ever at an early end: the stream throws.

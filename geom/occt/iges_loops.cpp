@@ -11,7 +11,6 @@
 #include <TopoDS.hxx>
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "geom/occt/shape_box.h"
 #include "geom/occt/shape_measures.h"
@@ -52,26 +51,23 @@ bool have_same_corners(const TopoDS_Shape& a, const TopoDS_Shape& b) {
 
 }  // namespace
 
-std::vector<TopoDS_Shape> faces_on_closed_surfaces(const TopoDS_Shape& shape) {
-  std::vector<TopoDS_Shape> found;
+bool has_closed_surface(const TopoDS_Shape& shape) {
   const auto faces = sub_shapes(shape, TopAbs_FACE);
-  std::copy_if(faces.cbegin(), faces.cend(), std::back_inserter(found), is_closed_all_around);
-  return found;
+  return std::any_of(faces.cbegin(), faces.cend(), is_closed_all_around);
 }
 
-std::vector<TopoDS_Shape> other_parts(const TopoDS_Shape& by_either, const TopoDS_Shape& by_surfaces) {
+OtherParts other_parts(const TopoDS_Shape& by_either, const TopoDS_Shape& by_surfaces) {
   const auto faces = sub_shapes(by_either, TopAbs_FACE), others = sub_shapes(by_surfaces, TopAbs_FACE);
-  if (faces.Extent() != others.Extent()) return {};
-  std::vector<TopoDS_Shape> found;
-  for (int f = 1; f <= faces.Extent(); ++f) {
-    if (!is_closed_all_around(faces(f)) || !differ(faces(f), others(f))) continue;
-    if (!have_same_corners(faces(f), others(f))) return {};
-    found.push_back(faces(f));
-  }
-  if (found.empty()) return {};
+  OtherParts parts;
+  if (faces.Extent() != others.Extent()) return parts;
   for (int f = 1; f <= faces.Extent(); ++f)
-    if (!is_closed_all_around(faces(f)) && differ(faces(f), others(f))) return {};
-  return found;
+    if (is_closed_all_around(faces(f)) && differ(faces(f), others(f))) parts.faces.push_back(faces(f));
+  if (parts.faces.empty()) return parts;
+  parts.to_be_believed = true;
+  for (int f = 1; f <= faces.Extent() && parts.to_be_believed; ++f)
+    if (differ(faces(f), others(f)))
+      parts.to_be_believed = is_closed_all_around(faces(f)) && have_same_corners(faces(f), others(f));
+  return parts;
 }
 
 }  // namespace octet

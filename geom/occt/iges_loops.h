@@ -7,14 +7,19 @@
 
 namespace octet {
 
-/// A loop on a surface that is closed all around, a ball's or a ring's, bounds two parts of it; which one is
-/// the face the file tells by the loop in (u,v). Faces of `shape` on such surfaces.
-[[nodiscard]] std::vector<TopoDS_Shape> faces_on_closed_surfaces(const TopoDS_Shape& shape);
+/// Whether a face is on a surface that is closed all around, a ball's or a ring's. A loop on such bounds two
+/// parts of it; which one is the face the file tells by the loop in (u,v).
+[[nodiscard]] bool has_closed_surface(const TopoDS_Shape& shape);
 
-/// Faces of `by_either` on such surfaces of which `by_surfaces`, the same file read by its curves in (u,v)
-/// alone, has another part: by area, with the same corners. None where any other face differs as well, or a
-/// corner does: those curves are no good then.
-[[nodiscard]] std::vector<TopoDS_Shape> other_parts(const TopoDS_Shape& by_either,
-                                                    const TopoDS_Shape& by_surfaces);
+struct OtherParts {
+  std::vector<TopoDS_Shape> faces;  ///< of the first reading, on such surfaces
+  /// No other face differs, and where these have corners the others have, too: else the curves in (u,v) are
+  /// no good.
+  bool to_be_believed = false;
+};
+
+/// Where `by_surfaces`, the file of `by_either` read by its curves in (u,v) alone, has another part of the
+/// surface: by area. None where the two have not as many faces.
+[[nodiscard]] OtherParts other_parts(const TopoDS_Shape& by_either, const TopoDS_Shape& by_surfaces);
 
 }  // namespace octet

@@ -18,25 +18,24 @@
 #include <utility>
 
 #include "base/vec.h"
+#include "geom/occt/canonical.h"
 
 namespace octet {
 namespace {
 
 /// The course of an edge, as far as it tells edges apart.
 struct Course {
-  Vec3 low = Vec3::Zero(), high = Vec3::Zero();  ///< its ends, in the order of their coordinates
-  Vec3 middle = Vec3::Zero();                    ///< centre of mass
+  Vec3 from = Vec3::Zero(), to = Vec3::Zero();
+  Vec3 middle = Vec3::Zero();  ///< centre of mass
   double length = 0.0;
 
   [[nodiscard]] bool is(const Course& other, double tolerance) const {
     const auto near = [tolerance](const Vec3& a, const Vec3& b) { return (a - b).norm() <= tolerance; };
     const bool ends =
-        (near(low, other.low) && near(high, other.high)) || (near(low, other.high) && near(high, other.low));
+        (near(from, other.from) && near(to, other.to)) || (near(from, other.to) && near(to, other.from));
     return ends && near(middle, other.middle) && std::abs(length - other.length) <= tolerance;
   }
 };
-
-Vec3 vec_of(const gp_Pnt& p) { return {p.X(), p.Y(), p.Z()}; }
 
 Course course_of(const TopoDS_Edge& edge) {
   TopoDS_Vertex a, b;
@@ -44,10 +43,10 @@ Course course_of(const TopoDS_Edge& edge) {
   GProp_GProps properties;
   BRepGProp::LinearProperties(edge, properties);
   Course course;
-  course.middle = vec_of(properties.CentreOfMass());
+  course.middle = to_vec(properties.CentreOfMass());
   course.length = properties.Mass();
-  course.low = a.IsNull() ? course.middle : vec_of(BRep_Tool::Pnt(a));
-  course.high = b.IsNull() ? course.middle : vec_of(BRep_Tool::Pnt(b));
+  course.from = a.IsNull() ? course.middle : to_vec(BRep_Tool::Pnt(a));
+  course.to = b.IsNull() ? course.middle : to_vec(BRep_Tool::Pnt(b));
   return course;
 }
 

@@ -109,12 +109,13 @@ Model read_at_least_apart(const ReadJob& job, const std::function<Model(const Re
     if (!joining || job.options.embed) throw;
     ReadJob next = job;
     next.options.fuse = false;
-    ModelParts parts = read(next).parts();
+    const Model apart = read(next);
     Fault fault;
-    fault.place = Model(parts).box().centre();
+    fault.place = apart.box().centre();
     fault.cause =
         fmt::format("the solids are kept apart, and share no faces where they touch: {}", error.what());
     fault.advice = "give it longer (--read-time-limit), or ask for solids that are apart (--no-fuse)";
+    ModelParts parts = apart.parts();
     parts.faults.push_back(fault);
     return Model(std::move(parts));
   }

@@ -16,7 +16,6 @@
 #include <TopoDS_Solid.hxx>
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "geom/occt/free_edges.h"
 #include "geom/occt/gathered.h"
@@ -87,11 +86,12 @@ bool lies_in(const Enclosure& inner, const Enclosure& outer) {
   return false;
 }
 
-/// The smallest of those before it that it lies in, which are no smaller than it.
-std::optional<std::size_t> outer_of(std::size_t inner, const std::vector<Enclosure>& all) {
-  for (std::size_t j = inner; j-- > 0;)
-    if (lies_in(all[inner], all[j])) return j;
-  return std::nullopt;
+/// The smallest that it lies in; null: none.
+Enclosure* outer_of(const Enclosure& inner, std::vector<Enclosure>& all) {
+  Enclosure* least = nullptr;
+  for (Enclosure& outer : all)
+    if ((least == nullptr || outer.size() < least->size()) && lies_in(inner, outer)) least = &outer;
+  return least;
 }
 
 }  // namespace
@@ -100,16 +100,17 @@ std::vector<TopoDS_Shape> solids_from_shells(const TopoDS_Shape& shape) {
   std::vector<Enclosure> all;
   for (const TopoDS_Shape& shell : closed_shells(shape))
     all.push_back({shell, solid_from_shell(shell), volume_of(shell), box_of(shell)});
-  if (all.size() == 1) return {all.front().solid};
-  std::stable_sort(all.begin(), all.end(),
-                   [](const Enclosure& a, const Enclosure& b) { return a.size() > b.size(); });
+  std::vector<Enclosure*> by_size;
+  for (Enclosure& one : all) by_size.push_back(&one);
+  std::stable_sort(by_size.begin(), by_size.end(),
+                   [](const Enclosure* a, const Enclosure* b) { return a->size() > b->size(); });
   const BRep_Builder builder;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const auto outer = outer_of(i, all);
-    all[i].is_void =
-        outer && !all[*outer].is_void && std::signbit(all[i].volume) != std::signbit(all[*outer].volume);
-    if (all[i].is_void)
-      builder.Add(all[*outer].solid, TopExp_Explorer(all[i].solid, TopAbs_SHELL).Current().Reversed());
+  for (Enclosure* one : by_size) {
+    Enclosure* outer = outer_of(*one, all);
+    one->is_void =
+        outer != nullptr && !outer->is_void && std::signbit(one->volume) != std::signbit(outer->volume);
+    if (one->is_void)
+      builder.Add(outer->solid, TopExp_Explorer(one->solid, TopAbs_SHELL).Current().Reversed());
   }
   std::vector<TopoDS_Shape> solids;
   for (const Enclosure& one : all)

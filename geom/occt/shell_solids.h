@@ -11,7 +11,7 @@ namespace octet {
 /// Solids of the closed shells of `shape` that are in no solid, turned outwards; a face in no shell that
 /// closes by itself, as a ball's in IGES files, counts as one. A shell that lies within another, and is
 /// turned the other way than the smallest one that it lies in, is a void of that one's solid; one that is
-/// turned the same way is a solid of its own.
+/// turned the same way is a solid of its own. In the order of their shells.
 [[nodiscard]] std::vector<TopoDS_Shape> solids_from_shells(const TopoDS_Shape& shape);
 
 /// Shells of the solids beyond the first of each.

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A ring with a flat on its seam, and a ball with one, through IGES files.
+// A ring with a flat on its seam, through IGES files.
 #include "geom/occt/iges_loops.h"
 
 #include <gtest/gtest.h>
 
 #include <BRepAlgoAPI_Cut.hxx>
-#include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <IGESControl_Controller.hxx>
@@ -50,6 +49,19 @@ TEST(IgesLoops, ARingKeepsItsLargerPartBesideAFlat) {
   }
   EXPECT_GT(read_again, 0) << "OCCT reads all of them as they are: the test tests nothing";
   std::filesystem::remove(path);
+}
+
+TEST(IgesLoops, AnotherReadingIsBelievedWhereOnlySuchFacesDiffer) {
+  const TopoDS_Shape ring = BRepPrimAPI_MakeTorus(12.0, 5.0).Shape();
+  const TopoDS_Shape flat = flattened_ring(0.7), elsewhere = flattened_ring(2.0);
+  EXPECT_TRUE(has_closed_surface(ring));
+  EXPECT_FALSE(has_closed_surface(BRepPrimAPI_MakeCylinder(2.0, 5.0).Shape()));
+  EXPECT_TRUE(other_parts(ring, flat).faces.empty()) << "not as many faces";
+  EXPECT_TRUE(other_parts(flat, flat).faces.empty());
+  EXPECT_TRUE(other_parts(flat, elsewhere).faces.empty()) << "as large";
+  const OtherParts larger = other_parts(ring, BRepPrimAPI_MakeTorus(12.0, 6.0).Shape());
+  EXPECT_EQ(larger.faces.size(), 1u);
+  EXPECT_FALSE(larger.to_be_believed) << "its corner is elsewhere";
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <gp_Ax2.hxx>
 
 #include <algorithm>
+#include <numbers>
 
 #include "geom/occt/sew.h"
 #include "geom/occt/shape_measures.h"
@@ -66,7 +67,7 @@ TEST(LooseBodies, SeamsOfTwoPinsMayMeet) {
   add_loose_faces(BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(0, 0, 20), gp_Dir(0, 0, 1)), 3, 5).Solid(), faces);
   const Sewn sewn = sew_faces(faces, {});
   ASSERT_EQ(sewn.solids.size(), 2u);
-  EXPECT_NEAR(volume_of(sewn.solids[0]) + volume_of(sewn.solids[1]), 225.0 * 3.14159265358979, 1e-6);
+  EXPECT_NEAR(volume_of(sewn.solids[0]) + volume_of(sewn.solids[1]), 225.0 * std::numbers::pi, 1e-6);
 }
 
 }  // namespace

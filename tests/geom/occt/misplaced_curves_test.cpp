@@ -32,16 +32,21 @@
 namespace octet::test {
 namespace {
 
+/// The spline through three points.
+Handle(Geom_BSplineCurve) spline_through(const gp_Pnt& a, const gp_Pnt& b, const gp_Pnt& c) {
+  const Handle(TColgp_HArray1OfPnt) points = new TColgp_HArray1OfPnt(1, 3);
+  points->SetValue(1, a);
+  points->SetValue(2, b);
+  points->SetValue(3, c);
+  GeomAPI_Interpolate spline(points, false, 1e-9);
+  spline.Perform();
+  return spline.Curve();
+}
+
 /// A bellied ring: its outside is a spline turned about the z axis.
 TopoDS_Shape belly(double angle) {
-  const Handle(TColgp_HArray1OfPnt) points = new TColgp_HArray1OfPnt(1, 3);
-  points->SetValue(1, gp_Pnt(2.0, 0.0, 0.0));
-  points->SetValue(2, gp_Pnt(2.6, 0.0, 1.0));
-  points->SetValue(3, gp_Pnt(2.1, 0.0, 2.0));
-  GeomAPI_Interpolate outside(points, false, 1e-9);
-  outside.Perform();
   const gp_Pnt a(2.0, 0.0, 0.0), b(2.1, 0.0, 2.0), c(1.0, 0.0, 2.0), d(1.0, 0.0, 0.0);
-  BRepBuilderAPI_MakeWire wire(BRepBuilderAPI_MakeEdge(outside.Curve()).Edge(),
+  BRepBuilderAPI_MakeWire wire(BRepBuilderAPI_MakeEdge(spline_through(a, gp_Pnt(2.6, 0.0, 1.0), b)).Edge(),
                                BRepBuilderAPI_MakeEdge(b, c).Edge(), BRepBuilderAPI_MakeEdge(c, d).Edge(),
                                BRepBuilderAPI_MakeEdge(d, a).Edge());
   return BRepPrimAPI_MakeRevol(BRepBuilderAPI_MakeFace(wire.Wire()).Face(),
@@ -187,16 +192,10 @@ TEST(MisplacedCurves, ATruePoleStays) {
 
 /// A dome whose profile misses the axis it is turned about, as in a file of few digits.
 TopoDS_Shape dome(double missed) {
-  const Handle(TColgp_HArray1OfPnt) points = new TColgp_HArray1OfPnt(1, 3);
-  points->SetValue(1, gp_Pnt(40.0, 0.0, 0.0));
-  points->SetValue(2, gp_Pnt(32.0, 0.0, 30.0));
-  points->SetValue(3, gp_Pnt(0.0, 0.0, 50.0));
-  GeomAPI_Interpolate profile(points, false, 1e-9);
-  profile.Perform();
-  const gp_Pnt foot(0.0, 0.0, 0.0);
-  BRepBuilderAPI_MakeWire wire(BRepBuilderAPI_MakeEdge(profile.Curve()).Edge(),
-                               BRepBuilderAPI_MakeEdge(points->Value(3), foot).Edge(),
-                               BRepBuilderAPI_MakeEdge(foot, points->Value(1)).Edge());
+  const gp_Pnt rim(40.0, 0.0, 0.0), top(0.0, 0.0, 50.0), foot(0.0, 0.0, 0.0);
+  BRepBuilderAPI_MakeWire wire(
+      BRepBuilderAPI_MakeEdge(spline_through(rim, gp_Pnt(32.0, 0.0, 30.0), top)).Edge(),
+      BRepBuilderAPI_MakeEdge(top, foot).Edge(), BRepBuilderAPI_MakeEdge(foot, rim).Edge());
   const TopoDS_Shape shape =
       BRepPrimAPI_MakeRevol(BRepBuilderAPI_MakeFace(wire.Wire()).Face(), gp_Ax1(foot, gp_Dir(0, 0, 1)))
           .Shape();

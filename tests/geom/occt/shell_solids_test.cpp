@@ -76,6 +76,14 @@ TEST(ShellSolids, AShellTurnedTheSameWayIsASolidOfItsOwn) {
   EXPECT_NEAR(found[1], 64.0, 1e-9);
 }
 
+TEST(ShellSolids, SolidsStandInTheOrderOfTheirShells) {
+  const auto solids = solids_from_shells(
+      compound_of({shell_in(cube(2.0)), TopoDS_Shape(shell_in(cube(3.0)).Reversed()), shell_in(cube(4.0))}));
+  ASSERT_EQ(solids.size(), 2u);
+  EXPECT_NEAR(volume_of(solids[0]), 8.0, 1e-9);
+  EXPECT_NEAR(volume_of(solids[1]), 64.0 - 27.0, 1e-9);
+}
+
 TEST(ShellSolids, ABodyInAVoidMayHaveAVoidItself) {
   const std::vector<double> found = volumes({shell_in(cube(1.0)).Reversed(), shell_in(cube(4.0)),
                                              shell_in(cube(2.0)), shell_in(cube(3.0)).Reversed()});
