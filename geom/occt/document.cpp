@@ -49,6 +49,22 @@ std::string lower(std::string text) {
   return text;
 }
 
+/// A setting of all OCCT's readers in the process, put back when it goes: a program that reads a part within
+/// itself (ReadOptions::isolate) may read files of its own.
+class ScopedSetting {
+ public:
+  ScopedSetting(const char* name, int value) : name_(name), before_(Interface_Static::IVal(name)) {
+    Interface_Static::SetIVal(name_, value);
+  }
+  ~ScopedSetting() { Interface_Static::SetIVal(name_, before_); }
+  ScopedSetting(const ScopedSetting&) = delete;
+  ScopedSetting& operator=(const ScopedSetting&) = delete;
+
+ private:
+  const char* name_;
+  int before_;
+};
+
 /// An XCAF document that is closed when it goes.
 class ScopedDocument {
  public:
@@ -205,7 +221,7 @@ CadDocument read_step(const std::filesystem::path& path) {
   refuse_triangles_alone(path);
   STEPCAFControl_Controller::Init();
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
-  Interface_Static::SetIVal("read.stepcaf.subshapes.name", 1);
+  const ScopedSetting names("read.stepcaf.subshapes.name", 1);
   STEPCAFControl_Reader reader;
   reader.SetColorMode(true);
   reader.SetNameMode(true);
@@ -263,14 +279,14 @@ std::string iges_unit(int flag, const std::string& name) {
   }
 }
 
-/// Which curves of an IGES file OCCT's reader goes by: those in space, those on the surfaces, or now these,
-/// now those.
+/// Which curves of an IGES file OCCT's reader goes by: now those in space, now those on the surfaces; or
+/// those on the surfaces alone. Values of its `read.surfacecurve.mode`.
 enum class IgesCurves { kEither = 0, kOnSurfaces = -2 };
 
 CadDocument read_iges_by(const std::filesystem::path& path, IgesCurves curves) {
   IGESControl_Controller::Init();
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
-  Interface_Static::SetIVal("read.surfacecurve.mode", static_cast<int>(curves));
+  const ScopedSetting mode("read.surfacecurve.mode", static_cast<int>(curves));
   IGESCAFControl_Reader reader;
   reader.SetColorMode(true);
   reader.SetNameMode(true);
@@ -300,8 +316,7 @@ CadDocument read_iges(const std::filesystem::path& path) {
   CadDocument& taken = believed ? other : result;
   taken.notes.push_back(
       fmt::format("{} face(s) on balls or rings, the first is {}, came out of the CAD kernel's reader with "
-                  "another part of "
-                  "their surface than the file's loops in (u,v) bound; {}",
+                  "another part of their surface than the file's loops in (u,v) bound; {}",
                   faces.size(), face_in(result.shape, faces.front()),
                   believed ? "the file was read by these"
                            : "these do not fit the curves in space, by which they were read"));
