@@ -111,6 +111,7 @@ class Clipper {
   void run(const Loop& outer, std::vector<const Loop*> holes) {
     all_loops_ = {&outer};
     all_loops_.insert(all_loops_.end(), holes.begin(), holes.end());
+    find_touches();
     first_ = append(outer);
     count_ = static_cast<int>(outer.size());
     const auto right = [&](const Loop* loop) {
@@ -162,15 +163,51 @@ class Clipper {
     });
   }
 
+  /// The places that several corners have, of one loop or of two.
+  void find_touches() {
+    std::vector<std::pair<double, double>> places;
+    for (const Loop* loop : all_loops_)
+      for (const std::uint32_t i : *loop) places.emplace_back(points_[i].x(), points_[i].y());
+    std::sort(places.begin(), places.end());
+    for (std::size_t i = 0; i + 1 < places.size(); ++i)
+      if (places[i] == places[i + 1] && (touches_.empty() || touches_.back() != places[i]))
+        touches_.push_back(places[i]);
+  }
+
+  bool touches(std::int32_t c) const {
+    return std::binary_search(touches_.begin(), touches_.end(), std::pair(at(c).x(), at(c).y()));
+  }
+
+  /// Where the hole touches the polygon in a corner, that is its bridge: the two flat triangles beside it
+  /// leave a polygon that does not touch itself there.
+  bool join_where_it_touches(std::int32_t start, const std::vector<std::int32_t>& polygon) {
+    if (touches_.empty()) return false;
+    for (auto from = start; from < static_cast<std::int32_t>(ring_.size()); ++from) {
+      if (!touches(from)) continue;
+      for (const std::int32_t to : polygon) {
+        if (at(to) != at(from) || !opens_to(to, at(ring_[from].previous)) ||
+            !opens_to(to, at(ring_[from].next)))
+          continue;
+        const std::int32_t to_copy = splice(to, from);
+        cut(to);
+        cut(to_copy);
+        return true;
+      }
+    }
+    return false;
+  }
+
   /// A bridge from the hole's rightmost corner to the nearest corner of the polygon that it sees; where it
   /// sees none, since loops cross, to the nearest.
   void join(const Loop& hole) {
     const std::int32_t start = append(hole);
+    std::vector<std::int32_t> order;
+    for (std::int32_t c = first_, i = 0; i < count_; ++i, c = ring_[c].next) order.push_back(c);
+    count_ += static_cast<int>(hole.size()) + 2;
+    if (join_where_it_touches(start, order)) return;
     std::int32_t from = start;
     for (auto c = start; c < static_cast<std::int32_t>(ring_.size()); ++c)
       if (at(c).x() > at(from).x()) from = c;
-    std::vector<std::int32_t> order;
-    for (std::int32_t c = first_, i = 0; i < count_; ++i, c = ring_[c].next) order.push_back(c);
     const auto distance = [&](std::int32_t c) { return (at(c) - at(from)).squaredNorm(); };
     std::stable_sort(order.begin(), order.end(),
                      [&](std::int32_t a, std::int32_t b) { return distance(a) < distance(b); });
@@ -182,11 +219,10 @@ class Clipper {
       break;
     }
     splice(to, from);
-    count_ += static_cast<int>(hole.size()) + 2;
   }
 
-  /// ... to -> from ... (round the hole) ... from' -> to' ...
-  void splice(std::int32_t to, std::int32_t from) {
+  /// ... to -> from ... (round the hole) ... from' -> to' ...; returns to'.
+  std::int32_t splice(std::int32_t to, std::int32_t from) {
     const auto to_copy = static_cast<std::int32_t>(ring_.size()), from_copy = to_copy + 1;
     ring_.push_back(ring_[to]);
     ring_.push_back(ring_[from]);
@@ -201,6 +237,7 @@ class Clipper {
     bridge_ends_.push_back({at(to), at(from)});
     ring_[to].bridge = ring_[from_copy].bridge = bridges_;
     ring_[to].owner = ring_[from_copy].owner = PlanarTriangulation::kNone;
+    return to_copy;
   }
 
   void update_convexity(std::int32_t c) {
@@ -211,15 +248,28 @@ class Clipper {
 
   bool is_ear(std::int32_t c) const {
     if (!ring_[c].convex || !cuttable(c)) return false;
-    const Vec2 &a = at(ring_[c].previous), &b = at(c), &d = at(ring_[c].next);
+    const std::array<std::int32_t, 3> ear{ring_[c].previous, c, ring_[c].next};
+    const Vec2 &a = at(ear[0]), &b = at(ear[1]), &d = at(ear[2]);
     const auto blocks = [&](std::int32_t k) {
       const Corner& corner = ring_[k];
-      if (corner.gone || corner.convex) return false;
+      if (corner.gone) return false;
       const Vec2& p = points_[corner.point];
-      if (p == a || p == b || p == d) return false;
+      if (p == a || p == b || p == d) return goes_into(ear, k);
+      if (corner.convex) return false;
       return orient2d(a, b, p) >= 0 && orient2d(b, d, p) >= 0 && orient2d(d, a, p) >= 0;
     };
     return !buckets_.any(a.cwiseMin(b).cwiseMin(d), a.cwiseMax(b).cwiseMax(d), blocks);
+  }
+
+  /// Whether a side at k, which lies on a corner of the ear, goes into the ear: loops touch there.
+  bool goes_into(const std::array<std::int32_t, 3>& ear, std::int32_t k) const {
+    for (int i = 0; i < 3; ++i) {
+      const Vec2 &before = at(ear[(i + 2) % 3]), &corner = at(ear[i]), &after = at(ear[(i + 1) % 3]);
+      if (ear[i] == k || at(k) != corner) continue;
+      for (const std::int32_t end : {ring_[k].previous, ring_[k].next})
+        if (orient2d(before, corner, at(end)) > 0 && orient2d(corner, after, at(end)) > 0) return true;
+    }
+    return false;
   }
 
   /// Corners are looked at in turn, those beside a cut again; when all were and none is an ear, one is cut
@@ -333,6 +383,7 @@ class Clipper {
   const std::vector<Vec2>& points_;
   std::vector<const Loop*> all_loops_;
   std::vector<Corner> ring_;
+  std::vector<std::pair<double, double>> touches_;
   std::vector<std::array<Vec2, 2>> bridge_ends_;
   Buckets buckets_;
   std::vector<std::pair<std::int32_t, int>> half_;

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <numbers>
 
@@ -132,6 +133,49 @@ TEST(PlanarTriangulation, TakesAHoleThatTouchesItsOuterLoopInACorner) {
   add_loop(loops, {{0, 0}, {4, 0}, {4, 4}, {0, 4}});
   add_loop(loops, {{0, 0}, {1, 2}, {2, 1}});
   expect_triangulated(loops, 16.0 - 1.5, false);
+}
+
+/// A cylinder's face in (u,v), cut by another cylinder that touches it in a point of its seam.
+TEST(PlanarTriangulation, HolesThatTouchBothSidesOfASeamAreNotCovered) {
+  FaceLoops loops;
+  const auto row = [](double from, double to, double v) {
+    std::vector<Vec2> points;
+    for (int i = 0; i < 32; ++i) points.push_back({from + i * (to - from) / 32, v});
+    return points;
+  };
+  std::vector<Vec2> border = row(0.0, 6.0, 0.0);
+  border.push_back({6.0, 0.0});
+  border.push_back({6.0, 2.0});
+  for (const Vec2& p : row(6.0, 0.0, 4.0)) border.push_back(p);
+  border.push_back({0.0, 4.0});
+  border.push_back({0.0, 2.0});
+  add_loop(loops, border);
+  const auto lens = [](double tip, double way) {
+    std::vector<Vec2> points;
+    for (int i = 0; i < 16; ++i) points.push_back({tip + way * i / 16, 2.0 + 0.5 * std::sin(kPi * i / 32)});
+    for (int i = 16; i > 0; --i) points.push_back({tip + way * i / 16, 2.0 - 0.5 * std::sin(kPi * i / 32)});
+    if (way < 0.0) std::reverse(points.begin() + 1, points.end());
+    return points;
+  };
+  add_loop(loops, lens(0.0, 1.0));
+  add_loop(loops, lens(6.0, -1.0));
+  const PlanarTriangulation plane = triangulate_loops(loops.uv, loops.loops);
+  double covered = 0.0;
+  for (const auto& t : plane.triangles) {
+    const Vec2 &a = plane.points[t.corner[0]], p = plane.points[t.corner[1]] - a,
+               q = plane.points[t.corner[2]] - a;
+    covered += 0.5 * std::abs(p.x() * q.y() - p.y() * q.x());
+  }
+  double holes = 0.0;
+  for (int hole = 1; hole <= 2; ++hole)
+    for (std::size_t i = 0; i < loops.loops[hole].size(); ++i) {
+      const Vec2 &a = loops.uv[loops.loops[hole][i]],
+                 &b = loops.uv[loops.loops[hole][(i + 1) % loops.loops[hole].size()]];
+      holes += 0.5 * (a.y() * b.x() - a.x() * b.y());
+    }
+  EXPECT_GT(holes, 1.0);
+  EXPECT_NEAR(covered, 24.0 - holes, 1e-9);
+  expect_triangulated(loops, 24.0 - holes, false);
 }
 
 TEST(PlanarTriangulation, KeepsItsBorderWhereTheLoopCrossesItself) {
