@@ -174,9 +174,25 @@ class Torus final : public Surface {
 
   /// The same sign as the quartic, without its cancellation: distance to the near sheet times that to the
   /// far one.
-  [[nodiscard]] double level(const Vec3& l) const {
-    const double rho = l.head<2>().norm();
-    return (Vec2(rho - major_, l.z()).norm() - minor_) * (Vec2(rho + major_, l.z()).norm() - minor_);
+  [[nodiscard]] double level(const Vec3& l) const { return from_sheet(l, 1.0) * from_sheet(l, -1.0); }
+
+  /// Signed distance to one sheet: the outer one (1), or the inner one of a spindle torus (-1).
+  [[nodiscard]] double from_sheet(const Vec3& l, double side) const {
+    return Vec2(l.head<2>().norm() - side * major_, l.z()).norm() - minor_;
+  }
+
+  /// The sheets of a spindle torus that a stretch crosses within which both are as near as rounding: those of
+  /// a fillet's corner that is all but a sphere. Returns whether it crosses any.
+  bool add_sheets(const LocalSegment& s, double lo, double hi, std::vector<SurfaceRoot>& roots) const {
+    const std::size_t first = roots.size();
+    for (const double side : {1.0, -1.0}) {
+      const auto f = [&](double t) { return from_sheet(s.at(t), side); };
+      const double f_lo = f(lo), f_hi = f(hi);
+      if ((f_lo > 0.0) != (f_hi > 0.0)) add(s, bracketed_root(f, lo, hi, f_lo, f_hi), false, side, roots);
+    }
+    if (roots.size() == first + 2 && roots[first + 1].t < roots[first].t)
+      std::swap(roots[first], roots[first + 1]);
+    return roots.size() > first;
   }
 
   /// Between the quartic's extrema f is monotone: a sign change is a root, an extremum at zero a touch.
@@ -200,6 +216,10 @@ class Torus final : public Surface {
              std::abs(f(0.5 * (parts.t[last] + parts.t[last + 1]))) <= noise)
         ++last;
       const bool at_end = i == 0 || last + 1 == parts.count;
+      if (minor_ > major_ && !at_end && add_sheets(s, parts.t[i - 1], parts.t[last + 1], roots)) {
+        i = last;
+        continue;
+      }
       const double after = last + 1 < parts.count ? fs[last + 1] : 0.0;
       const bool crosses = before * after < 0.0 || (at_end && last == i);
       const double t = i == 0 ? 0.0 : last + 1 == parts.count ? 1.0 : 0.5 * (parts.t[i] + parts.t[last]);
@@ -210,10 +230,14 @@ class Torus final : public Surface {
 
   void add(const LocalSegment& s, double t, bool tangent, std::vector<SurfaceRoot>& roots) const {
     const Vec3 l = s.at(t);
+    const bool is_inner = std::abs(from_sheet(l, -1.0)) < std::abs(from_sheet(l, 1.0));
+    add(s, t, tangent, is_inner ? -1.0 : 1.0, roots);
+  }
+
+  void add(const LocalSegment& s, double t, bool tangent, double side,
+           std::vector<SurfaceRoot>& roots) const {
+    const Vec3 l = s.at(t);
     const double rho = l.head<2>().norm();
-    const double near = std::abs(Vec2(rho - major_, l.z()).norm() - minor_);
-    const double far = std::abs(Vec2(rho + major_, l.z()).norm() - minor_);
-    const double side = far < near ? -1.0 : 1.0;  // -1: the inner sheet of a spindle torus
     const double u = wrap_angle(std::atan2(side * l.y(), side * l.x()), u0_);
     const double v = wrap_angle(std::atan2(l.z(), side * rho - major_), v0_);
     roots.push_back({t, Vec2(u, v), tangent, false});

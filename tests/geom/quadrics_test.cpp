@@ -195,5 +195,31 @@ TEST(Torus, HardTangenciesAreCountedRight) {
   EXPECT_EQ(count(Vec3(-4, 0, 0), Vec3(4, 0, 0)).size(), 4u);
 }
 
+/// A fillet's corner is a torus whose spine is a circle of a millionth, where radii differ by rounding.
+TEST(Torus, BothSheetsOfOneThatIsAllButASphereAreCrossed) {
+  constexpr double kMinor = 10.0;
+  for (const double major : {1e-3, 1e-5, 1e-6, 1e-8}) {
+    const auto torus =
+        make_torus({Vec3(12, -13, 10), Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()}, major, kMinor);
+    for (int i = 0; i < 100; ++i) {
+      const double u = 0.37 * i, v = 0.3 + 0.008 * i;  // clear of the pole, where the sheets meet
+      const SurfaceJet jet = torus->evaluate({u, v}, 1);
+      const Vec3 way = (jet.du.cross(jet.dv).normalized() + 0.4 * jet.du.normalized()).normalized();
+      std::vector<SurfaceRoot> roots;
+      torus->intersect(jet.p - 3.0 * way, jet.p + 2.0 * way, roots);
+      ASSERT_EQ(roots.size(), 2u) << major << " " << i;
+      EXPECT_LE(roots[0].t, roots[1].t);
+      int outer = 0;
+      for (const SurfaceRoot& root : roots) {
+        EXPECT_FALSE(root.tangent);
+        EXPECT_NEAR((torus->evaluate(root.uv, 0).p - (jet.p + (5.0 * root.t - 3.0) * way)).norm(), 0.0,
+                    1e-12);
+        outer += std::cos(root.uv.y()) > -major / kMinor;
+      }
+      EXPECT_EQ(outer, 1) << "one root is on the outer sheet, one on the inner";
+    }
+  }
+}
+
 }  // namespace
 }  // namespace octet
