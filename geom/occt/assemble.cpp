@@ -4,7 +4,11 @@
 
 #include <fmt/format.h>
 
+#include <BRep_Tool.hxx>
+#include <Geom_Surface.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Face.hxx>
 
 #include <algorithm>
 #include <array>
@@ -12,6 +16,7 @@
 #include <mutex>
 #include <set>
 
+#include "base/error.h"
 #include "geom/occt/common_faces.h"
 #include "geom/occt/heal.h"
 #include "geom/occt/inner_surfaces.h"
@@ -84,6 +89,19 @@ void note_left_out(ModelParts& parts) {
         count, word, word, first->entity.tag, first->name.empty() ? "" : " \"" + first->name + "\"",
         first->place.x(), first->place.y(), first->place.z()));
   }
+}
+
+/// Files may hold triangles in the place of a face's surface.
+void refuse_without_surfaces(const ShapeMaps& as_read, const SolidSet& set) {
+  for (const TopoDS_Shape& solid : set.solids)
+    for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next()) {
+      if (!BRep_Tool::Surface(TopoDS::Face(it.Current())).IsNull()) continue;
+      const int number = as_read.of[2].FindIndex(it.Current());
+      throw ModelError(fmt::format("Face {} as read has no surface: files that hold triangles in its place "
+                                   "are no CAD files",
+                                   number),
+                       {});
+    }
 }
 
 /// Whether no face of a part is in the model. One face alone bounds nothing and was not meant to: it is told
@@ -201,6 +219,7 @@ AssembledPart assemble(const CadDocument& document, const ReadOptions& options, 
   log("collecting the solids");
   const SewOptions sewing{options.sew_tolerance, options.cap};
   SolidSet healed = collect_solids(document.shape, as_read, sewing);
+  refuse_without_surfaces(as_read, healed);
   heal(as_read, {sewing, options.smallest_feature}, meeting, log, healed);
   if (options.fuse && healed.solids.size() > 1) {
     log(std::string(kFindingCommonFaces));

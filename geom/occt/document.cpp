@@ -35,6 +35,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "geom/occt/cause.h"
 #include "geom/occt/iges_loops.h"
 #include "geom/occt/labels.h"
 #include "geom/occt/loop_sides.h"
@@ -354,7 +355,7 @@ CadDocument read_document(const std::filesystem::path& path, FileKind kind) {
         break;
     }
   } catch (const Standard_Failure& failure) {
-    throw InputError(fmt::format("file {} cannot be read: {}", quoted(path), failure.GetMessageString()));
+    throw InputError(fmt::format("file {} cannot be read: {}", quoted(path), cause_of(failure)));
   }
   if (result.shape.IsNull() || !TopExp_Explorer(result.shape, TopAbs_FACE).More())
     throw InputError("file " + quoted(path) + " holds no shape with faces");

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geom/occt/cause.h"
 #include "geom/occt/gathered.h"
 #include "geom/occt/shape_measures.h"
 
@@ -30,7 +31,7 @@ class Embedding {
         for (const TopoDS_Shape& shape : *shapes) builder_.AddArgument(shape);
       builder_.Perform();
     } catch (const Standard_Failure& failure) {
-      return failure.GetMessageString();
+      return cause_of(failure);
     }
     if (builder_.HasErrors()) return "OCCT's general fuse failed";
     for (const TopoDS_Shape& solid : solids) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "geom/occt/cause.h"
 #include "geom/occt/reader.h"
 
 namespace octet {
@@ -19,7 +20,7 @@ Model model_from_shape(const TopoDS_Shape& shape, const ReadOptions& options) {
     // The copy shares the geometry; topology and triangulation are its own.
     job.shape = BRepBuilderAPI_Copy(shape, false, false).Shape();
   } catch (const Standard_Failure& failure) {
-    throw InputError(std::string("the shape cannot be copied: ") + failure.GetMessageString());
+    throw InputError("the shape cannot be copied: " + cause_of(failure));
   }
   return read_model(std::move(job));
 }

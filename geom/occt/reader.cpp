@@ -17,6 +17,7 @@
 #include "base/error.h"
 #include "geom/occt/assemble.h"
 #include "geom/occt/byte_stream.h"
+#include "geom/occt/cause.h"
 #include "geom/occt/part_stream.h"
 #include "geom/occt/read_again.h"
 #include "geom/occt/silence.h"
@@ -44,7 +45,7 @@ std::string do_job(const ReadJob& job, const StageLog& log) {
   } catch (const Standard_OutOfMemory&) {
     throw std::bad_alloc();
   } catch (const Standard_Failure& failure) {
-    throw InputError(std::string("the part cannot be analysed: ") + failure.GetMessageString());
+    throw InputError("the part cannot be analysed: " + cause_of(failure));
   }
 }
 
@@ -174,7 +175,7 @@ ModelParts read_job(const ReadJob& job) {
     if (!note.empty()) parts.notes.push_back(note);
     return parts;
   } catch (const Standard_Failure& failure) {
-    throw Bug(std::string("a part that was read cannot be restored: ") + failure.GetMessageString());
+    throw Bug("a part that was read cannot be restored: " + cause_of(failure));
   }
 }
 

@@ -18,6 +18,7 @@
 
 #include "base/error.h"
 #include "geom/facet_volumes.h"
+#include "geom/occt/cause.h"
 #include "geom/occt/crossed_loops.h"
 #include "geom/occt/edge_uses.h"
 #include "geom/occt/face_fuse.h"
@@ -175,7 +176,7 @@ class Union {
       put_together(pieces, *kept, fuse, result);
     } catch (const Standard_Failure& failure) {
       result.solids.clear();
-      result.cause = failure.GetMessageString();
+      result.cause = cause_of(failure);
     }
     return result;
   }
@@ -283,7 +284,7 @@ United unite_crossed(const TopoDS_Shape& solid, const FacePairs& crossing, const
   try {
     return Union(solid, crossing, log).run();
   } catch (const Standard_Failure& failure) {
-    none.cause = failure.GetMessageString();
+    none.cause = cause_of(failure);
   } catch (const ModelError& error) {
     none.cause = error.what();
   }

@@ -7,9 +7,11 @@
 
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
+#include <BRepMesh_IncrementalMesh.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -184,6 +186,19 @@ TEST(FromShape, LeavesOutFacesBesideASolidWithANote) {
 }
 
 TEST(FromShape, RefusesANullShape) { EXPECT_THROW((void)model_from_shape(TopoDS_Shape()), InputError); }
+
+TEST(FromShape, RefusesFacesThatHaveTrianglesForASurface) {
+  const TopoDS_Shape ball = BRepPrimAPI_MakeSphere(1.0).Shape();
+  const BRepMesh_IncrementalMesh mesher(ball, 0.1);
+  BRepTools::CleanGeometry(ball);
+  try {
+    (void)model_from_shape(ball);
+    FAIL() << "triangles were accepted";
+  } catch (const ModelError& error) {
+    EXPECT_NE(std::string(error.what()).find("Face 1 as read has no surface"), std::string::npos)
+        << error.what();
+  }
+}
 
 TEST(FromShape, DeflectionBoundsTheFacets) {
   ReadOptions fine;
