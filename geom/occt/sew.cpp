@@ -56,10 +56,7 @@ Sewn sewn_at_once(const TopoDS_Compound& compound, double tolerance) {
   return sewn;
 }
 
-/// Body by body, if faces stand so that it can be told which they are: bodies may touch.
-Sewn sewn_within(const std::vector<TopoDS_Shape>& faces, double tolerance) {
-  const std::vector<std::vector<TopoDS_Shape>> bodies = bodies_in_order(faces, tolerance);
-  if (bodies.empty()) return sewn_at_once(compound_of(faces), tolerance);
+Sewn sewn_one_by_one(const std::vector<std::vector<TopoDS_Shape>>& bodies, double tolerance) {
   Sewn sewn;
   sewn.tolerance = tolerance;
   sewn.history = new BRepTools_History();
@@ -73,6 +70,19 @@ Sewn sewn_within(const std::vector<TopoDS_Shape>& faces, double tolerance) {
   sewn.shape = compound_of(shapes);
   sewn.solids = solids_from_shells(sewn.shape);
   return sewn;
+}
+
+/// Body by body, if faces stand so that it can be told which they are: bodies may touch. Edges have
+/// tolerances of their own, within which faces are sewn as well: which edges are alike is told to a hundred
+/// times the tolerance, where all bodies then close.
+Sewn sewn_within(const LooseBodies& loose, const TopoDS_Compound& all, double tolerance) {
+  for (const double looser : {1.0, 10.0, 100.0}) {
+    const std::vector<std::vector<TopoDS_Shape>> bodies = loose.in_order(looser * tolerance);
+    if (bodies.empty()) continue;
+    Sewn sewn = sewn_one_by_one(bodies, tolerance);
+    if (looser == 1.0 || sewn.free_edges == 0) return sewn;
+  }
+  return sewn_at_once(all, tolerance);
 }
 
 /// The faces, sorted into shells that hang together and are turned alike.
@@ -161,8 +171,9 @@ Sewn sew_faces(const std::vector<TopoDS_Shape>& faces, const SewOptions& options
     tolerances = {1e-7 * diagonal, 1e-6 * diagonal, 1e-5 * diagonal, 1e-4 * diagonal};
   }
   Sewn best;
+  const LooseBodies loose(faces);
   for (const double reach : tolerances) {
-    const Sewn sewn = sewn_within(faces, reach);
+    const Sewn sewn = sewn_within(loose, compound, reach);
     const bool worse =
         std::pair(sewn.solids.empty(), sewn.free_edges) >= std::pair(best.solids.empty(), best.free_edges);
     if (best.shape.IsNull() || !worse) best = sewn;
