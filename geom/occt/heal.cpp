@@ -26,6 +26,7 @@
 #include "geom/occt/sew.h"
 #include "geom/occt/shape_box.h"
 #include "geom/occt/shape_measures.h"
+#include "geom/occt/shell_solids.h"
 #include "geom/occt/short_edges.h"
 #include "geom/occt/sphere_sides.h"
 #include "geom/occt/strips.h"
@@ -64,6 +65,7 @@ class Healer {
       close(set_.solids[i]);
       take_small_features(set_.solids[i]);
       take_folds(set_.solids[i]);
+      turn_voids(set_.solids[i]);
       turn_inside_out(set_.solids[i]);
     }
     join_touching_voids();
@@ -217,6 +219,17 @@ class Healer {
     adopt(solid, removed, 2,
           "lie flat on a face beside them, no farther than their sides lie off their faces, and were taken "
           "away");
+  }
+
+  void turn_voids(TopoDS_Shape& solid) {
+    const TurnedShells shells = turn_nested_shells(solid);
+    if (shells.turned == 0) return;
+    set_.notes.push_back(
+        fmt::format("{} shell(s) of {} within another shell were turned as that one is, and "
+                    "bound both sides of what is between; they were turned: a shell within "
+                    "another is a void, one within a void is solid",
+                    shells.turned, names_.solid(solid)));
+    replace(solid, shells.solid);
   }
 
   void turn_inside_out(TopoDS_Shape& solid) {

@@ -12,6 +12,7 @@
 #include <TopExp_Explorer.hxx>
 #include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Iterator.hxx>
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
 #include <algorithm>
@@ -116,6 +117,37 @@ std::vector<TopoDS_Shape> solids_from_shells(const TopoDS_Shape& shape) {
   for (const Enclosure& one : all)
     if (!one.is_void) solids.push_back(one.solid);
   return solids;
+}
+
+TurnedShells turn_nested_shells(const TopoDS_Shape& solid) {
+  TurnedShells result{solid};
+  if (sub_shapes(solid, TopAbs_SHELL).Extent() < 2) return result;
+  std::vector<TopoDS_Shape> shells;
+  std::vector<Enclosure> all;
+  for (TopoDS_Iterator it(solid); it.More(); it.Next()) {
+    shells.push_back(it.Value());
+    if (it.Value().ShapeType() == TopAbs_SHELL && free_edges(it.Value()).empty())
+      all.push_back({it.Value(), solid_from_shell(it.Value()), volume_of(it.Value()), box_of(it.Value())});
+  }
+  std::vector<Enclosure*> by_size;
+  for (Enclosure& one : all) by_size.push_back(&one);
+  std::stable_sort(by_size.begin(), by_size.end(),
+                   [](const Enclosure* a, const Enclosure* b) { return a->size() > b->size(); });
+  for (Enclosure* one : by_size) {
+    const Enclosure* outer = outer_of(*one, all);
+    if (outer == nullptr || std::signbit(one->volume) != std::signbit(outer->volume)) continue;
+    one->volume = -one->volume;
+    ++result.turned;
+    for (TopoDS_Shape& shell : shells)
+      if (shell.IsSame(one->shell)) shell.Reverse();
+  }
+  if (result.turned == 0) return result;
+  const BRep_Builder builder;
+  TopoDS_Solid made;
+  builder.MakeSolid(made);
+  for (const TopoDS_Shape& shell : shells) builder.Add(made, shell);
+  result.solid = made.Oriented(solid.Orientation());
+  return result;
 }
 
 std::size_t count_voids(const std::vector<TopoDS_Shape>& solids) {

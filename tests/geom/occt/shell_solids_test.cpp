@@ -6,18 +6,24 @@
 
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRep_Builder.hxx>
 #include <IGESControl_Controller.hxx>
 #include <IGESControl_Writer.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Solid.hxx>
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <numbers>
 
+#include "geom/model_check.h"
+#include "geom/occt/from_shape.h"
 #include "geom/occt/gathered.h"
 #include "geom/occt/read_part.h"
 #include "geom/occt/shape_measures.h"
 #include "geom/occt/silence.h"
+#include "tests/support/notes.h"
 #include "tests/support/with_void.h"
 
 namespace octet {
@@ -109,6 +115,50 @@ TEST(ShellSolids, LooseFacesOfIgesFilesKeepTheirVoids) {
     EXPECT_TRUE(model.parts().faults.empty());
   }
   std::filesystem::remove(path);
+}
+
+/// One solid of cubes of these sides, each within the one before; below 0: turned inwards.
+TopoDS_Shape nested_cubes(const std::vector<double>& sides) {
+  const BRep_Builder builder;
+  TopoDS_Solid solid;
+  builder.MakeSolid(solid);
+  for (const double side : sides) {
+    const TopoDS_Shape shell = shell_in(cube(std::abs(side)));
+    builder.Add(solid, side < 0.0 ? shell.Reversed() : shell);
+  }
+  return solid;
+}
+
+TEST(ShellSolids, ShellsOfOneSolidWithinAnotherAreTurnedSoThatTheyBoundWhatIsBetween) {
+  const auto volume_of_turned = [](const std::vector<double>& sides, std::size_t turned) {
+    const TurnedShells result = turn_nested_shells(nested_cubes(sides));
+    EXPECT_EQ(result.turned, turned);
+    return volume_of(result.solid);
+  };
+  EXPECT_NEAR(volume_of_turned({4.0}, 0), 64.0, 1e-9);
+  EXPECT_NEAR(volume_of_turned({4.0, -2.0}, 0), 64.0 - 8.0, 1e-9);
+  EXPECT_NEAR(volume_of_turned({4.0, 2.0}, 1), 64.0 - 8.0, 1e-9);
+  EXPECT_NEAR(volume_of_turned({2.0, 4.0}, 1), 64.0 - 8.0, 1e-9) << "in any order";
+  EXPECT_NEAR(volume_of_turned({4.0, -3.0, 2.0}, 0), 64.0 - 27.0 + 8.0, 1e-9);
+  EXPECT_NEAR(volume_of_turned({4.0, 3.0, 2.0}, 1), 64.0 - 27.0 + 8.0, 1e-9);
+  EXPECT_NEAR(volume_of_turned({4.0, -3.0, -2.0}, 1), 64.0 - 27.0 + 8.0, 1e-9);
+  EXPECT_NEAR(volume_of_turned({-4.0, 2.0}, 0), 8.0 - 64.0, 1e-9) << "inside out as a whole";
+}
+
+TEST(ShellSolids, AnOpenShellWithinASolidIsNotTurned) {
+  const BRep_Builder builder;
+  TopoDS_Shape solid = nested_cubes({4.0});
+  builder.Add(solid, shell_of<TopoDS_Shape>({face_in(cube(2.0))}));
+  EXPECT_EQ(turn_nested_shells(solid).turned, 0u);
+}
+
+TEST(ShellSolids, AVoidThatASolidHasTurnedOutwardsIsAVoid) {
+  const Model model = model_from_shape(nested_cubes({4.0, 2.0}));
+  ASSERT_EQ(model.count(3), 1);
+  EXPECT_NEAR(model.region(1).volume, 64.0 - 8.0, 1e-9);
+  EXPECT_TRUE(test::has_note(model, "a shell within another is a void"));
+  EXPECT_EQ(check_model(model), "");
+  EXPECT_FALSE(test::has_note(model_from_shape(nested_cubes({4.0, -2.0})), "shell"));
 }
 
 }  // namespace
