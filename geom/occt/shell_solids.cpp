@@ -67,6 +67,19 @@ struct Enclosure {
   [[nodiscard]] double size() const { return std::abs(volume); }
 };
 
+Enclosure enclosure_of(const TopoDS_Shape& shell) {
+  return {shell, solid_from_shell(shell), volume_of(shell), box_of(shell)};
+}
+
+/// The largest first: what lies in another comes after it.
+std::vector<Enclosure*> by_size(std::vector<Enclosure>& all) {
+  std::vector<Enclosure*> sorted;
+  for (Enclosure& one : all) sorted.push_back(&one);
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const Enclosure* a, const Enclosure* b) { return a->size() > b->size(); });
+  return sorted;
+}
+
 /// By the first vertex, or middle of an edge, of `inner` that is off the boundary of `outer`.
 bool lies_in(const Enclosure& inner, const Enclosure& outer) {
   if (inner.size() >= outer.size() || outer.box.IsOut(inner.box)) return false;
@@ -99,14 +112,9 @@ Enclosure* outer_of(const Enclosure& inner, std::vector<Enclosure>& all) {
 
 std::vector<TopoDS_Shape> solids_from_shells(const TopoDS_Shape& shape) {
   std::vector<Enclosure> all;
-  for (const TopoDS_Shape& shell : closed_shells(shape))
-    all.push_back({shell, solid_from_shell(shell), volume_of(shell), box_of(shell)});
-  std::vector<Enclosure*> by_size;
-  for (Enclosure& one : all) by_size.push_back(&one);
-  std::stable_sort(by_size.begin(), by_size.end(),
-                   [](const Enclosure* a, const Enclosure* b) { return a->size() > b->size(); });
+  for (const TopoDS_Shape& shell : closed_shells(shape)) all.push_back(enclosure_of(shell));
   const BRep_Builder builder;
-  for (Enclosure* one : by_size) {
+  for (Enclosure* one : by_size(all)) {
     Enclosure* outer = outer_of(*one, all);
     one->is_void =
         outer != nullptr && !outer->is_void && std::signbit(one->volume) != std::signbit(outer->volume);
@@ -120,34 +128,24 @@ std::vector<TopoDS_Shape> solids_from_shells(const TopoDS_Shape& shape) {
 }
 
 TurnedShells turn_nested_shells(const TopoDS_Shape& solid) {
-  TurnedShells result{solid};
-  if (sub_shapes(solid, TopAbs_SHELL).Extent() < 2) return result;
-  std::vector<TopoDS_Shape> shells;
+  if (sub_shapes(solid, TopAbs_SHELL).Extent() < 2) return {solid};
   std::vector<Enclosure> all;
-  for (TopoDS_Iterator it(solid); it.More(); it.Next()) {
-    shells.push_back(it.Value());
-    if (it.Value().ShapeType() == TopAbs_SHELL && free_edges(it.Value()).empty())
-      all.push_back({it.Value(), solid_from_shell(it.Value()), volume_of(it.Value()), box_of(it.Value())});
-  }
-  std::vector<Enclosure*> by_size;
-  for (Enclosure& one : all) by_size.push_back(&one);
-  std::stable_sort(by_size.begin(), by_size.end(),
-                   [](const Enclosure* a, const Enclosure* b) { return a->size() > b->size(); });
-  for (Enclosure* one : by_size) {
+  for (TopExp_Explorer it(solid, TopAbs_SHELL); it.More(); it.Next())
+    if (free_edges(it.Current()).empty()) all.push_back(enclosure_of(it.Current()));
+  TopTools_MapOfShape turned;
+  for (Enclosure* one : by_size(all)) {
     const Enclosure* outer = outer_of(*one, all);
     if (outer == nullptr || std::signbit(one->volume) != std::signbit(outer->volume)) continue;
     one->volume = -one->volume;
-    ++result.turned;
-    for (TopoDS_Shape& shell : shells)
-      if (shell.IsSame(one->shell)) shell.Reverse();
+    turned.Add(one->shell);
   }
-  if (result.turned == 0) return result;
+  if (turned.IsEmpty()) return {solid};
   const BRep_Builder builder;
   TopoDS_Solid made;
   builder.MakeSolid(made);
-  for (const TopoDS_Shape& shell : shells) builder.Add(made, shell);
-  result.solid = made.Oriented(solid.Orientation());
-  return result;
+  for (TopoDS_Iterator it(solid); it.More(); it.Next())
+    builder.Add(made, turned.Contains(it.Value()) ? it.Value().Reversed() : it.Value());
+  return {made, static_cast<std::size_t>(turned.Extent())};
 }
 
 std::size_t count_voids(const std::vector<TopoDS_Shape>& solids) {

@@ -9,8 +9,6 @@
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
-#include <IGESControl_Controller.hxx>
-#include <IGESControl_Writer.hxx>
 #include <TopExp_Explorer.hxx>
 #include <gp.hxx>
 #include <gp_Ax1.hxx>
@@ -24,7 +22,7 @@
 #include "geom/occt/read_part.h"
 #include "geom/occt/sew.h"
 #include "geom/occt/shape_measures.h"
-#include "geom/occt/silence.h"
+#include "tests/support/loose_iges.h"
 
 namespace octet {
 namespace {
@@ -82,13 +80,7 @@ TEST(LooseBodies, EdgesMayMissEachOtherByTheirTolerance) {
       BRepBuilderAPI_Transform(BRepPrimAPI_MakeBox(gp_Pnt(-1, -1, 0), side, side, 2).Solid(), turn).Shape();
   const TopoDS_Shape pieces = BRepAlgoAPI_Cut(box, BRepPrimAPI_MakeCylinder(1, 2).Solid()).Shape();
   const auto path = std::filesystem::temp_directory_path() / "octet_LooseBodies.iges";
-  {
-    const Silence silence;
-    IGESControl_Controller::Init();
-    IGESControl_Writer writer("MM", 0);  // faces, in no shell
-    ASSERT_TRUE(writer.AddShape(pieces));
-    ASSERT_TRUE(writer.Write(path.c_str()));
-  }
+  ASSERT_TRUE(test::write_loose_iges(pieces, path));
   const Model model = read_part(path);
   std::filesystem::remove(path);
   ASSERT_EQ(model.count(3), 3);

@@ -7,8 +7,6 @@
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Builder.hxx>
-#include <IGESControl_Controller.hxx>
-#include <IGESControl_Writer.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Solid.hxx>
@@ -22,7 +20,7 @@
 #include "geom/occt/gathered.h"
 #include "geom/occt/read_part.h"
 #include "geom/occt/shape_measures.h"
-#include "geom/occt/silence.h"
+#include "tests/support/loose_iges.h"
 #include "tests/support/notes.h"
 #include "tests/support/with_void.h"
 
@@ -102,13 +100,7 @@ TEST(ShellSolids, LooseFacesOfIgesFilesKeepTheirVoids) {
   const auto path = std::filesystem::temp_directory_path() / "octet_ShellSolids.iges";
   for (const TopoDS_Shape& inner : {cube(2.0), TopoDS_Shape(BRepPrimAPI_MakeSphere(1.0).Solid())}) {
     const TopoDS_Shape hollow = test::with_void(cube(4.0), inner);
-    {
-      const Silence silence;
-      IGESControl_Controller::Init();
-      IGESControl_Writer writer("MM", 0);  // faces, in no shell
-      ASSERT_TRUE(writer.AddShape(hollow));
-      ASSERT_TRUE(writer.Write(path.c_str()));
-    }
+    ASSERT_TRUE(test::write_loose_iges(hollow, path));
     const Model model = read_part(path);
     EXPECT_EQ(model.count(3), 1);
     EXPECT_NEAR(model.region(1).volume, volume_of(hollow), 1e-6);
@@ -143,6 +135,10 @@ TEST(ShellSolids, ShellsOfOneSolidWithinAnotherAreTurnedSoThatTheyBoundWhatIsBet
   EXPECT_NEAR(volume_of_turned({4.0, 3.0, 2.0}, 1), 64.0 - 27.0 + 8.0, 1e-9);
   EXPECT_NEAR(volume_of_turned({4.0, -3.0, -2.0}, 1), 64.0 - 27.0 + 8.0, 1e-9);
   EXPECT_NEAR(volume_of_turned({-4.0, 2.0}, 0), 8.0 - 64.0, 1e-9) << "inside out as a whole";
+  const TurnedShells of_reversed = turn_nested_shells(nested_cubes({-4.0, -2.0}).Reversed());
+  EXPECT_EQ(of_reversed.turned, 1u);
+  EXPECT_NEAR(volume_of(of_reversed.solid), 64.0 - 8.0, 1e-9)
+      << "a solid may be turned as well as its shells";
 }
 
 TEST(ShellSolids, AnOpenShellWithinASolidIsNotTurned) {
