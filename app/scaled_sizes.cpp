@@ -18,8 +18,9 @@ constexpr double kSlope = -2.5;  // the first guess of d log(count) / d log(size
 constexpr double kWidestAngle = M_PI / 3.0;
 
 /// What a mesh without a size may be estimated at. Estimates of thin sheets are up to three times the truth,
-/// those of parts with many small features down to six tenths: meshes have 2 000 to 500 000 elements.
-constexpr double kFewest = 4'000.0, kMost = 290'000.0;
+/// those of parts with many small features down to six tenths: meshes have 2 000 elements to
+/// most_by_default().
+constexpr double kFewest = 4'000.0, kShareOfMost = 0.58;
 /// Logarithm of a share by which an estimate may miss them: it is no truer than that, and each tree of a
 /// search takes its time.
 constexpr double kNear = 0.1;
@@ -48,9 +49,9 @@ Sized sized(const Model& model, const MeshOptions& options, WallMemo& walls) {
 
 /// With as many elements on a circle as the mesh has room for. The least number that is more is tried first;
 /// counts go about with its square, and what goes far beyond the room by this is not tried.
-Sized with_rounder_faces(const Model& model, Sized given, WallMemo& walls) {
+Sized with_rounder_faces(const Model& model, Sized given, double most, WallMemo& walls) {
   constexpr double kFarBeyond = 1.1;
-  const double room = std::max(kSmallMesh, std::min(kMost, kLittleMore * given.elements));
+  const double room = std::max(kSmallMesh, std::min(most, kLittleMore * given.elements));
   const auto rounded = [&](double on_a_circle) {
     MeshOptions options = given.options;
     options.curvature_angle = 2.0 * M_PI / on_a_circle;
@@ -113,6 +114,11 @@ bool has_free_sizes(const MeshOptions& options) {
          options.min_size == 0.0 && options.max_size == 0.0;
 }
 
+double most_by_default(const Model& model) {
+  constexpr double kMost = 500'000.0, kManyFaces = 1000.0;
+  return kMost * std::max(1.0, model.count(2) / kManyFaces);
+}
+
 MeshOptions with_default_size(const Model& model, const MeshOptions& options, WallMemo* walls) {
   if (options.size != 0.0) return options;
   MeshOptions chosen = options;
@@ -123,9 +129,10 @@ MeshOptions with_default_size(const Model& model, const MeshOptions& options, Wa
   WallMemo own;
   WallMemo& memo = walls != nullptr ? *walls : own;  // a circle's elements do not change walls
   Sized first = sized(model, chosen, memo);
-  if (first.elements < kMost && has_free_curvature(options))
-    first = with_rounder_faces(model, std::move(first), memo);
-  const double wanted = std::clamp(first.elements, kFewest, kMost);
+  const double most = kShareOfMost * most_by_default(model);
+  if (first.elements < most && has_free_curvature(options))
+    first = with_rounder_faces(model, std::move(first), most, memo);
+  const double wanted = std::clamp(first.elements, kFewest, most);
   if (std::abs(std::log(first.elements / wanted)) < kNear) return first.options;
   const auto sizes = [&](double log_scale) {
     MeshOptions scaled = first.options;

@@ -89,11 +89,12 @@ MeshResult mesh_by_default(const Model& model, const MeshOptions& options, const
                            WallMemo* walls) {
   constexpr double kUnbounded = std::numeric_limits<double>::infinity();
   const MeshOptions chosen = with_default_size(model, options, walls);
+  const double most = most_by_default(model);
   std::optional<MeshResult> result;
   double count = 0.0;
   bool open = false;
   try {
-    result = mesh(chosen, has_free_sizes(options) ? kMostByDefault : kUnbounded);
+    result = mesh(chosen, has_free_sizes(options) ? most : kUnbounded);
     count = static_cast<double>(result->report.tets);
   } catch (const TooManyTets& many) {
     count = many.count;
@@ -101,9 +102,9 @@ MeshResult mesh_by_default(const Model& model, const MeshOptions& options, const
   }
   // What was made is not made again for being a little larger: that would take all the time once more.
   const bool complete = result && result->report.status == MeshStatus::kComplete;
-  if (result && (complete || !has_free_sizes(options) || count <= kMostByDefault)) return *std::move(result);
+  if (result && (complete || !has_free_sizes(options) || count <= most)) return *std::move(result);
   // Counts go with the size to the power -2 at the boundary, of which such parts have much.
-  const double scale = std::sqrt(count / (kSafeShare * kMostByDefault));
+  const double scale = std::sqrt(count / (kSafeShare * most));
   MeshResult coarser = mesh(scaled_sizes(model, chosen, scale), kUnbounded);
   if (!result && (open || coarser.report.status == MeshStatus::kComplete)) return coarser;
   if (!result) result = mesh(chosen, kUnbounded);

@@ -17,10 +17,6 @@ namespace octet {
                                         const std::function<MeshResult(const MeshOptions&)>& mesh,
                                         WallMemo* walls = nullptr);
 
-/// What a mesh without any size asked for may have, a fifth more before finalization, where that does not
-/// cost its being complete.
-inline constexpr double kMostByDefault = 500'000.0;
-
 /// Thrown before finalization, which is most of the work, by a mesh that will have far more tetrahedra than
 /// it may.
 struct TooManyTets {
@@ -32,7 +28,7 @@ struct TooManyTets {
 using BoundedMesher = std::function<MeshResult(const MeshOptions&, double most)>;
 
 /// Meshes with the default size (with_default_size()), and, where nothing was asked for, with larger ones
-/// instead of a mesh of far more than kMostByDefault tetrahedra, or of one of more that is not complete:
+/// instead of a mesh of far more than most_by_default() tetrahedra, or of one of more that is not complete:
 /// octrees promise too little where a part has many features far below the size. The larger mesh is returned
 /// where it alone is complete, the one of fewer elements where neither is. `walls`: as above.
 [[nodiscard]] MeshResult mesh_by_default(const Model& model, const MeshOptions& options,

@@ -8,8 +8,11 @@
 #include <array>
 #include <cmath>
 #include <deque>
+#include <functional>
 #include <limits>
 #include <numeric>
+#include <utility>
+#include <vector>
 
 #include "geom/planar_triangulation.h"
 
@@ -208,11 +211,15 @@ class Clipper {
     std::int32_t from = start;
     for (auto c = start; c < static_cast<std::int32_t>(ring_.size()); ++c)
       if (at(c).x() > at(from).x()) from = c;
-    const auto distance = [&](std::int32_t c) { return (at(c) - at(from)).squaredNorm(); };
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::int32_t a, std::int32_t b) { return distance(a) < distance(b); });
-    std::int32_t to = order.front();
-    for (const std::int32_t c : order) {
+    // Nearest first, of equally near ones as they follow one another; most often one of the first will do.
+    std::vector<std::pair<double, std::int32_t>> near;
+    for (std::size_t i = 0; i < order.size(); ++i)
+      near.emplace_back((at(order[i]) - at(from)).squaredNorm(), static_cast<std::int32_t>(i));
+    std::make_heap(near.begin(), near.end(), std::greater<>());
+    std::int32_t to = order[static_cast<std::size_t>(near.front().second)];
+    for (auto end = near.end(); end != near.begin(); --end) {
+      std::pop_heap(near.begin(), end, std::greater<>());
+      const std::int32_t c = order[static_cast<std::size_t>((end - 1)->second)];
       if (at(c) == at(from) || !opens_to(c, at(from)) || !opens_to(from, at(c)) || !sees(at(from), at(c)))
         continue;
       to = c;

@@ -8,31 +8,36 @@
 
 namespace octet {
 
-EdgeIndex::EdgeIndex(const Model& model, double cell)
-    : model_(&model), cell_(cell), around_(static_cast<std::size_t>(model.count(1)) + 1) {
-  for (int e = 1; e <= model.count(1); ++e) {
-    const ModelEdge& edge = model.edge(e);
-    if (edge.use != EdgeUse::kReal) continue;
-    const int n = std::clamp(static_cast<int>(std::ceil(edge.length / (0.5 * cell))), 2, 100000);
-    for (int i = 0; i <= n; ++i) {
-      const double t = edge.t0 + (edge.t1 - edge.t0) * i / n;
-      const Vec3 p = model.edge_point(e, t);
-      cells_[key(p, 0, 0, 0)].push_back({e, t, p});
-      around_[static_cast<std::size_t>(e)].add(p);
-    }
-    // Half a piece is as far as the curve can be from the nearest sample; pieces differ in length.
-    Box3& box = around_[static_cast<std::size_t>(e)];
-    box.lo.array() -= edge.length / n;
-    box.hi.array() += edge.length / n;
-  }
+EdgeIndex::EdgeIndex(const Model& model, double most) : model_(&model), most_(most) {
+  std::vector<Box3> boxes;
+  for (int e = 1; e <= model.count(1); ++e)
+    if (model.edge(e).use == EdgeUse::kReal) add_edge(e, boxes);
+  tree_ = BoxTree(boxes);
 }
 
-std::uint64_t EdgeIndex::key(const Vec3& p, int dx, int dy, int dz) const {
-  const auto part = [&](double x, int d) {
-    return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(x / cell_)) + d + (1 << 20)) &
-           0x1fffff;
+void EdgeIndex::add_edge(int e, std::vector<Box3>& boxes) {
+  constexpr int kRun = 8;  // pieces between samples
+  // Boxes around few samples would be far wider than the curve.
+  constexpr int kFewPieces = 32;
+  const ModelEdge& edge = model_->edge(e);
+  const int n = std::clamp(static_cast<int>(std::ceil(edge.length / (0.5 * most_))), 2, 100000);
+  const int parts = (kFewPieces + n - 1) / n;
+  const auto at = [&](int i, int part) {
+    return edge.t0 + (edge.t1 - edge.t0) * (i + double(part) / parts) / n;
   };
-  return (part(p.x(), dx) << 42) | (part(p.y(), dy) << 21) | part(p.z(), dz);
+  for (int begin = 0; begin < n; begin += kRun) {
+    const int end = std::min(begin + kRun, n);
+    Box3 box;
+    const auto first = static_cast<std::uint32_t>(samples_.size());
+    for (int i = begin; i <= end; ++i) {
+      samples_.push_back({e, at(i, 0), model_->edge_point(e, at(i, 0))});
+      box.add(samples_.back().point);
+      for (int part = 1; part < parts && i < end; ++part) box.add(model_->edge_point(e, at(i, part)));
+    }
+    // Half a part is as far as the curve can be from the nearest place; parts differ in length.
+    boxes.push_back(box.grown(edge.length / (n * parts)));
+    runs_.push_back({first, static_cast<std::uint32_t>(samples_.size())});
+  }
 }
 
 bool EdgeIndex::mirror(const Vec3& a, const Vec3& tangent, const Sample& start, EdgePartner& out) const {
@@ -70,15 +75,10 @@ std::vector<EdgeIndex::Sample> EdgeIndex::nearest_samples(const Vec3& p, double 
     }
   };
   std::vector<Near> near;
-  for (int dx = -1; dx <= 1; ++dx)
-    for (int dy = -1; dy <= 1; ++dy)
-      for (int dz = -1; dz <= 1; ++dz) {
-        const auto cell = cells_.find(key(p, dx, dy, dz));
-        if (cell == cells_.end()) continue;
-        for (const Sample& s : cell->second)
-          if (around_[static_cast<std::size_t>(s.edge)].squared_distance(p) <= reach * reach)
-            near.push_back({&s, (s.point - p).squaredNorm()});
-      }
+  tree_.visit_within(p, reach, [&](std::uint32_t run) {
+    for (std::uint32_t i = runs_[run].begin; i < runs_[run].end; ++i)
+      near.push_back({&samples_[i], (samples_[i].point - p).squaredNorm()});
+  });
   std::sort(near.begin(), near.end());
   std::vector<Sample> result;
   for (const Near& n : near)
@@ -90,7 +90,7 @@ std::vector<EdgePartner> EdgeIndex::partners(int edge, double t, double max_dist
   const Vec3 a = model_->edge_point(edge, t);
   const Vec3 tangent = model_->edge_derivative(edge, t).normalized();
   std::vector<EdgePartner> result;
-  const double reach = std::min(max_distance, cell_);
+  const double reach = std::min(max_distance, most_);
   for (const Sample& start : nearest_samples(a, reach)) {
     EdgePartner partner;
     if (start.edge == edge || !mirror(a, tangent, start, partner)) continue;
@@ -101,7 +101,7 @@ std::vector<EdgePartner> EdgeIndex::partners(int edge, double t, double max_dist
 
 std::vector<EdgePartner> EdgeIndex::feet(const Vec3& p, double max_distance) const {
   std::vector<EdgePartner> result;
-  const double reach = std::min(max_distance, cell_);
+  const double reach = std::min(max_distance, most_);
   for (const Sample& start : nearest_samples(p, reach)) {
     const EdgeFoot foot = model_->edge_project(start.edge, p, start.t);
     if (foot.distance <= reach) result.push_back({start.edge, foot.t, foot.point});

@@ -3,9 +3,9 @@
 #pragma once
 
 #include <cstdint>
-#include <unordered_map>
 #include <vector>
 
+#include "geom/box_tree.h"
 #include "geom/model.h"
 
 namespace octet {
@@ -17,21 +17,22 @@ struct EdgePartner {
   Vec3 point = Vec3::Zero();
 };
 
-/// The real edges of a model, sampled into a hash grid of the given cell length.
+/// The real edges of a model in samples, and a tree of boxes around runs of them.
 ///
-/// Cost: one sample each half cell along the edges; a look-up visits 27 cells. Immutable, thread-safe.
+/// Cost: one sample each half `most` along the edges, at least three an edge; a look-up goes through the runs
+/// whose boxes come near, however far other edges may be looked for. Immutable, thread-safe.
 class EdgeIndex {
  public:
-  EdgeIndex(const Model& model, double cell);
+  /// `most`: no edge is looked for farther away than this.
+  EdgeIndex(const Model& model, double most);
 
-  /// Points b on the edges other than `edge` with |b - a| <= max_distance (and <= the cell length) for which
+  /// Points b on the edges other than `edge` with |b - a| <= max_distance (and <= `most`) for which
   /// the chord a-b makes equal angles with both curves: straight across between parallel edges, at a's
   /// distance from the common vertex on edges that meet there. Interior points only, at most one an edge,
   /// ascending by edge tag.
   [[nodiscard]] std::vector<EdgePartner> partners(int edge, double t, double max_distance) const;
 
-  /// The nearest point of each edge that comes closer to p than max_distance (<= the cell length), ascending
-  /// by tag.
+  /// The nearest point of each edge that comes closer to p than max_distance (and `most`), ascending by tag.
   [[nodiscard]] std::vector<EdgePartner> feet(const Vec3& p, double max_distance) const;
 
  private:
@@ -40,15 +41,21 @@ class EdgeIndex {
     double t;
     Vec3 point;
   };
-  /// Of each edge that may come within `reach` of p the sample nearest to p, ascending by edge tag.
+  /// Samples from `begin` to before `end`.
+  struct Run {
+    std::uint32_t begin, end;
+  };
+  /// Of each edge that may come within `reach` of p the sample nearest to p of the runs that may, ascending
+  /// by edge tag.
   [[nodiscard]] std::vector<Sample> nearest_samples(const Vec3& p, double reach) const;
-  [[nodiscard]] std::uint64_t key(const Vec3& p, int dx, int dy, int dz) const;
   [[nodiscard]] bool mirror(const Vec3& a, const Vec3& tangent, const Sample& start, EdgePartner& out) const;
+  void add_edge(int e, std::vector<Box3>& boxes);
 
   const Model* model_;
-  double cell_;
-  std::vector<Box3> around_;  ///< per edge tag
-  std::unordered_map<std::uint64_t, std::vector<Sample>> cells_;
+  double most_;
+  std::vector<Sample> samples_;
+  std::vector<Run> runs_;
+  BoxTree tree_;  ///< of the runs
 };
 
 }  // namespace octet

@@ -195,7 +195,9 @@ std::vector<gp_Circ> surface_contacts(const BRepAdaptor_Surface& f, const BRepAd
 
 std::vector<TopoDS_Edge> contact_circles(const TopoDS_Face& a, const TopoDS_Face& b, double tolerance) {
   std::vector<TopoDS_Edge> edges;
-  for (const gp_Circ& circle : surface_contacts(BRepAdaptor_Surface(a), BRepAdaptor_Surface(b), tolerance))
+  // Whole surfaces: to ask a face for its bounds goes through all of its edges.
+  const BRepAdaptor_Surface of_a(a, false), of_b(b, false);
+  for (const gp_Circ& circle : surface_contacts(of_a, of_b, tolerance))
     if (!has_edge_along(a, circle) && !has_edge_along(b, circle))
       edges.push_back(BRepBuilderAPI_MakeEdge(circle).Edge());
   return edges;

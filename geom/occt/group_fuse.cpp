@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <BRepLib.hxx>
 #include <BRep_Tool.hxx>
 #include <Message_Alert.hxx>
 #include <Message_Report.hxx>
@@ -124,6 +125,20 @@ bool is_thin(const TopoDS_Shape& solid, double thin) {
   return volume < thin * kMostAreas * diagonal * diagonal && volume < thin * area_of(solid);
 }
 
+/// Planar faces of many edges get their edges' curves in the plane, which OCCT finds anew each time that it
+/// asks for a face's bounds, once for every pair of faces that come near one another.
+void keep_curves_on_planes(const TopoDS_Shape& solid) {
+  constexpr int kMany = 32;
+  for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next()) {
+    const TopoDS_Face& face = TopoDS::Face(it.Current());
+    TopTools_IndexedMapOfShape edges;
+    TopExp::MapShapes(face, TopAbs_EDGE, edges);
+    if (edges.Extent() < kMany) continue;
+    for (int i = 1; i <= edges.Extent(); ++i)
+      BRepLib::BuildPCurveForEdgeOnPlane(TopoDS::Edge(edges(i)), face);
+  }
+}
+
 /// The edges that end at each vertex.
 TopTools_IndexedDataMapOfShapeListOfShape edges_of_vertices(const std::vector<TopoDS_Shape>& shapes) {
   TopTools_IndexedDataMapOfShapeListOfShape edges;
@@ -161,7 +176,10 @@ std::vector<TopoDS_Edge> contacts_of(const std::vector<TopoDS_Shape>& solids, do
 GroupFuse::GroupFuse(const std::vector<TopoDS_Shape>& solids, const std::vector<TopoDS_Edge>& contacts,
                      double tolerance, double thin, double tear)
     : tolerance_(tolerance) {
-  for (const TopoDS_Shape& solid : solids) builder_.AddArgument(solid);
+  for (const TopoDS_Shape& solid : solids) {
+    keep_curves_on_planes(solid);
+    builder_.AddArgument(solid);
+  }
   for (const TopoDS_Edge& circle : contacts) builder_.AddArgument(circle);
   builder_.SetNonDestructive(true);
   builder_.SetRunParallel(false);

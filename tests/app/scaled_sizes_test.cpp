@@ -13,6 +13,8 @@
 #include <TopoDS_Compound.hxx>
 #include <cmath>
 #include <functional>
+#include <gp_Trsf.hxx>
+#include <gp_Vec.hxx>
 
 #include "app/element_estimate.h"
 #include "app/target_elements.h"
@@ -26,12 +28,14 @@ double estimate(const Model& model, const MeshOptions& options) {
   return estimated_elements(model, plan_sizes(model, options));
 }
 
-Model rounded_box(double radius) {
+TopoDS_Shape rounded_box_shape(double radius) {
   const TopoDS_Shape box = BRepPrimAPI_MakeBox(40.0, 30.0, 20.0).Shape();
   BRepFilletAPI_MakeFillet fillet(box);
   for (TopExp_Explorer e(box, TopAbs_EDGE); e.More(); e.Next()) fillet.Add(radius, TopoDS::Edge(e.Current()));
-  return model_from_shape(fillet.Shape());
+  return fillet.Shape();
 }
+
+Model rounded_box(double radius) { return model_from_shape(rounded_box_shape(radius)); }
 
 TEST(ScaledSizes, PartsGetThousandsOfElementsUnasked) {
   for (const Model& model : {analytic_torus(1.2, 0.4, {{}, 1e-3}), analytic_ball(1.0, {{}, 1e-3}),
@@ -53,6 +57,25 @@ TEST(ScaledSizes, PartsOfManySmallFeaturesGetFewEnoughElements) {
   const double elements = estimate(model, with_default_size(model, many));
   EXPECT_LT(elements, 450'000.0);
   EXPECT_GT(elements, 200'000.0);
+}
+
+TEST(ScaledSizes, AnAssemblyOfManyFacesMayHaveMoreElements) {
+  EXPECT_EQ(most_by_default(analytic_box(Vec3(1.0, 1.0, 1.0))), 500'000.0);
+  const BRep_Builder builder;
+  TopoDS_Compound boxes;
+  builder.MakeCompound(boxes);
+  const TopoDS_Shape box = rounded_box_shape(0.5);
+  for (int i = 0; i < 60; ++i) {
+    gp_Trsf way;
+    way.SetTranslation(gp_Vec(50.0 * (i % 10), 50.0 * (i / 10), 0.0));
+    builder.Add(boxes, box.Moved(way));
+  }
+  const Model many = model_from_shape(boxes);
+  EXPECT_EQ(many.count(2), 60 * 26);
+  EXPECT_EQ(most_by_default(many), 780'000.0);
+  const double elements = estimate(many, with_default_size(many, {}));
+  EXPECT_GT(elements, 330'000.0);
+  EXPECT_LT(elements, 500'000.0);
 }
 
 /// Region 1 is a box of 4, 3 and 2 times `scale`, region 2 a ball of radius 1 beside it.
