@@ -16,6 +16,7 @@
 
 #include "base/blocks.h"
 #include "classify/dual_crossings.h"
+#include "classify/expected_faces.h"
 #include "mesh/circumcentre.h"
 
 namespace octet {
@@ -93,6 +94,8 @@ class GapFinder {
   std::vector<Gap> run(GapScope scope) {
     missing_pieces();
     if (!gaps_.empty() && scope == GapScope::kPiecesFirst) return std::move(gaps_);
+    const ExpectedFaces expected(model_);
+    expected_ = &expected;
     facets_ = &band_.facets(mesh_, on_);
     for (std::uint32_t n = 0; n < facets_->size(); ++n)
       if ((*facets_)[n].face == 0) add_facet(GapKind::kNoFace, n, ModelRef{});
@@ -167,16 +170,6 @@ class GapFinder {
     gaps_.push_back(gap);
   }
 
-  /// Faces that must meet at a piece of the edge, ascending, a face twice when it lies on both sides.
-  [[nodiscard]] std::vector<int> expected_faces(int edge) const {
-    std::vector<int> faces;
-    for (const int f : model_.edge(edge).faces)
-      for (const FaceBoundary& b : model_.face(f).boundary)
-        if (b.edge == edge && !model_.is_outside(f)) faces.push_back(f);
-    std::sort(faces.begin(), faces.end());
-    return faces;
-  }
-
   /// Edges at plain vertices join two facets on one face and are no pieces: of the others more is asked.
   void edges() {
     const auto is_plain = [&](std::uint32_t v) { return memory_.fans_[v] == GapMemory::kPlain; };
@@ -198,7 +191,7 @@ class GapFinder {
       edge_group(uses, i, j, faces, seen);
     }
     for (std::uint32_t n = 0; n < seen.size(); ++n)
-      if (!seen[n] && !expected_faces(chains_[n].edge).empty()) add_piece(GapKind::kEdgeFan, n);
+      if (!seen[n] && !expected_->at_edge(chains_[n].edge).empty()) add_piece(GapKind::kEdgeFan, n);
   }
 
   void edge_group(const std::vector<EdgeUseOfFacet>& uses, std::size_t i, std::size_t j,
@@ -206,7 +199,8 @@ class GapFinder {
     const std::uint32_t piece = piece_at(VertexId(uses[i].a), VertexId(uses[i].b));
     if (piece != UINT32_MAX) {
       seen[piece] = 1;
-      if (faces != expected_faces(chains_[piece].edge)) add_piece(GapKind::kEdgeFan, piece);
+      if (!std::ranges::equal(faces, expected_->at_edge(chains_[piece].edge)))
+        add_piece(GapKind::kEdgeFan, piece);
       return;
     }
     if (faces.size() == 2 && faces[0] == faces[1]) return;
@@ -296,15 +290,19 @@ class GapFinder {
   void bare_faces() {
     std::vector<std::uint8_t> covered(static_cast<std::size_t>(model_.count(2)) + 1, 0);
     for (const BoundaryFacet& f : *facets_) covered[static_cast<std::size_t>(f.face)] = 1;
+    for (int face = 1; face <= model_.count(2); ++face)
+      if (model_.is_outside(face)) covered[static_cast<std::size_t>(face)] = 1;
+    if (std::find(covered.begin() + 1, covered.end(), 0) == covered.end()) return;
+    const Facets& exact = model_.facets();
+    std::vector<std::size_t> first(covered.size(), exact.face.size());
+    for (std::size_t t = exact.face.size(); t-- > 0;) first[static_cast<std::size_t>(exact.face[t])] = t;
     for (int face = 1; face <= model_.count(2); ++face) {
-      if (covered[static_cast<std::size_t>(face)] || model_.is_outside(face)) continue;
+      const auto f = static_cast<std::size_t>(face);
+      if (covered[f] || first[f] == exact.face.size()) continue;
       Gap gap;
       gap.kind = GapKind::kBareFace;
       gap.entity = model_face(face);
-      const Facets& exact = model_.facets();
-      const auto first = std::find(exact.face.begin(), exact.face.end(), face);
-      if (first == exact.face.end()) continue;
-      gap.place = facet_corners(exact, static_cast<std::size_t>(first - exact.face.begin()))[0];
+      gap.place = facet_corners(exact, first[f])[0];
       gaps_.push_back(gap);
     }
   }
@@ -316,7 +314,7 @@ class GapFinder {
     const int loops = count_loops(v, around, fan);
     int expected = 0;
     if (on.dim == 2) expected = 1;
-    if (on.dim == 0) expected = edgeless_faces(on.tag);
+    if (on.dim == 0) expected = expected_->edgeless_at(on.tag);
     if (loops == expected && (on.dim != 2 || fan.components == 1)) return true;
     return loops < 0;  // an edge with other than two facets: reported as kEdgeFan
   }
@@ -326,23 +324,6 @@ class GapFinder {
     return *std::max_element(facets.begin(), facets.end(), [&](std::uint32_t a, std::uint32_t b) {
       return facet_radius((*facets_)[a]) < facet_radius((*facets_)[b]);
     });
-  }
-
-  /// Faces in whose closure the vertex lies although none of its real edges bounds them.
-  [[nodiscard]] int edgeless_faces(int vertex) const {
-    int n = 0;
-    for (int f = 1; f <= model_.count(2); ++f) {
-      const auto& own = model_.face(f).vertices;
-      if (!std::binary_search(own.begin(), own.end(), vertex) || model_.is_outside(f)) continue;
-      bool edged = false;
-      for (const int e : model_.vertex(vertex).edges) {
-        const ModelEdge& edge = model_.edge(e);
-        edged = edged ||
-                (edge.use == EdgeUse::kReal && std::binary_search(edge.faces.begin(), edge.faces.end(), f));
-      }
-      n += !edged;
-    }
-    return n;
   }
 
   /// Number of closed fans of facets around v (joined over non-piece edges); -1 when an edge joins other than
@@ -396,6 +377,7 @@ class GapFinder {
   const EdgeChains& chains_;
   Band& band_;
   GapMemory& memory_;
+  const ExpectedFaces* expected_ = nullptr;
   const std::vector<BoundaryFacet>* facets_ = nullptr;
   std::vector<Gap> gaps_;
 };
