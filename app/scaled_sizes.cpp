@@ -21,6 +21,9 @@ constexpr double kWidestAngle = M_PI / 3.0;
 /// those of parts with many small features down to six tenths: meshes have 2 000 elements to
 /// most_by_default().
 constexpr double kFewest = 4'000.0, kShareOfMost = 0.58;
+/// What most parts may have, and how many times larger than the part's own default size sizes may become for
+/// it where faces are many: at 10 times small features alone decide where elements are.
+constexpr double kMost = 500'000.0, kCoarsestScale = 1.6;
 /// Logarithm of a share by which an estimate may miss them: it is no truer than that, and each tree of a
 /// search takes its time.
 constexpr double kNear = 0.1;
@@ -115,7 +118,7 @@ bool has_free_sizes(const MeshOptions& options) {
 }
 
 double most_by_default(const Model& model) {
-  constexpr double kMost = 500'000.0, kManyFaces = 1000.0;
+  constexpr double kManyFaces = 1000.0;
   return kMost * std::max(1.0, model.count(2) / kManyFaces);
 }
 
@@ -129,7 +132,7 @@ MeshOptions with_default_size(const Model& model, const MeshOptions& options, Wa
   WallMemo own;
   WallMemo& memo = walls != nullptr ? *walls : own;  // a circle's elements do not change walls
   Sized first = sized(model, chosen, memo);
-  const double most = kShareOfMost * most_by_default(model);
+  const double most = kShareOfMost * kMost;
   if (first.elements < most && has_free_curvature(options))
     first = with_rounder_faces(model, std::move(first), most, memo);
   const double wanted = std::clamp(first.elements, kFewest, most);
@@ -145,7 +148,15 @@ MeshOptions with_default_size(const Model& model, const MeshOptions& options, Wa
     return log_scale >= 0.0 ? coarsened(first.plan, std::exp(log_scale))
                             : plan_sizes(model, sizes(log_scale), &memo);
   };
-  return sizes(log_scale_for(model, planned, std::log(wanted), 0.0, kNear));
+  const auto log_scale = [&](double elements) {
+    return log_scale_for(model, planned, std::log(elements), 0.0, kNear);
+  };
+  const double scale = log_scale(wanted), farthest = std::log(kCoarsestScale);
+  if (scale <= farthest || most_by_default(model) <= kMost) return sizes(scale);
+  // The most elements that it may have, unless fewer will do.
+  const double may_have = kShareOfMost * most_by_default(model);
+  if (estimated_elements(model, planned(farthest)) <= may_have) return sizes(farthest);
+  return sizes(log_scale(may_have));
 }
 
 }  // namespace octet

@@ -18,10 +18,8 @@ namespace octet {
 [[nodiscard]] double log_scale_for(const Model& model, const std::function<SizePlan(double)>& sizes,
                                    double log_elements, double start, double near);
 
-/// What a mesh without any size asked for may have (a fifth more before finalization) where that does not
-/// cost its being complete: 500 000 elements, and from 1000 model faces on 500 a face, for an assembly's
-/// small features cannot all be coarser, and a mesh so coarse that they decide its sizes is a bad one, and no
-/// sooner made.
+/// What a mesh without any size asked for may have at most (a fifth more before finalization) where that does
+/// not cost its being complete: 500 000 elements, and from 1000 model faces on 500 a face.
 [[nodiscard]] double most_by_default(const Model& model);
 
 /// Whether the user asks for no size at all.
@@ -30,9 +28,11 @@ namespace octet {
 /// Where no size is asked for: the part's default size, with octants that suit its commonest radius. When
 /// nothing else is asked for either, they get more elements on a circle where that costs little (20, 16 or
 /// 13, while they stay below 40 000 by estimate, or grow by a quarter at most), and a size that promises
-/// fewer than 2 000 elements or more than most_by_default() is scaled to the nearer of them, whatever the
-/// radius. Other options are returned as they are. `walls`, where given, has what the last plan found of
-/// walls, which the plan of the options returned mostly asks for again.
+/// fewer than 2 000 or more than 500 000 elements is scaled to the nearer of them, whatever the radius. Of
+/// more than 1000 faces (an assembly's) sizes become no more than 1.6 times larger for that, while it has
+/// most_by_default() at most: small features cannot all be coarser, and a mesh so coarse that they decide its
+/// sizes is a bad one, and no sooner made. Other options are returned as they are. `walls`, where given, has
+/// what the last plan found of walls, which the plan of the options returned mostly asks for again.
 [[nodiscard]] MeshOptions with_default_size(const Model& model, const MeshOptions& options,
                                             WallMemo* walls = nullptr);
 
