@@ -17,13 +17,14 @@ constexpr double kSlope = -2.5;  // the first guess of d log(count) / d log(size
 /// Coarser sizes by curvature leave six elements on a circle.
 constexpr double kWidestAngle = M_PI / 3.0;
 
-/// What a mesh without a size may be estimated at. Estimates of thin sheets are up to three times the truth,
-/// those of parts with many small features down to six tenths: meshes have 2 000 elements to
-/// most_by_default().
-constexpr double kFewest = 4'000.0, kShareOfMost = 0.58;
-/// What most parts may have, and how many times larger than the part's own default size sizes may become for
-/// it where faces are many: at 10 times small features alone decide where elements are.
-constexpr double kMost = 500'000.0, kCoarsestScale = 1.6;
+/// Elements that any part may have, and faces from which on a part may have more.
+constexpr double kMost = 500'000.0, kManyFaces = 1000.0;
+/// What a mesh without a size may be estimated at: of the elements that it may have this share. Estimates of
+/// thin sheets are up to three times the truth, those of parts with many small features down to six tenths.
+constexpr double kFewest = 4'000.0, kShareOfMost = 0.58, kUsualMost = kShareOfMost * kMost;
+/// How many times larger than the part's own default size sizes may become for kMost where faces are many: at
+/// 10 times small features alone decide where elements are.
+constexpr double kCoarsestScale = 1.6;
 /// Logarithm of a share by which an estimate may miss them: it is no truer than that, and each tree of a
 /// search takes its time.
 constexpr double kNear = 0.1;
@@ -52,9 +53,9 @@ Sized sized(const Model& model, const MeshOptions& options, WallMemo& walls) {
 
 /// With as many elements on a circle as the mesh has room for. The least number that is more is tried first;
 /// counts go about with its square, and what goes far beyond the room by this is not tried.
-Sized with_rounder_faces(const Model& model, Sized given, double most, WallMemo& walls) {
+Sized with_rounder_faces(const Model& model, Sized given, WallMemo& walls) {
   constexpr double kFarBeyond = 1.1;
-  const double room = std::max(kSmallMesh, std::min(most, kLittleMore * given.elements));
+  const double room = std::max(kSmallMesh, std::min(kUsualMost, kLittleMore * given.elements));
   const auto rounded = [&](double on_a_circle) {
     MeshOptions options = given.options;
     options.curvature_angle = 2.0 * M_PI / on_a_circle;
@@ -71,6 +72,14 @@ Sized with_rounder_faces(const Model& model, Sized given, double most, WallMemo&
     if (Sized rounder = rounded(on_a_circle); rounder.elements <= room) return rounder;
   }
   return least;
+}
+
+/// The largest estimate allowed: where faces are many that of sizes kCoarsestScale times larger, if it is
+/// more than other parts may have, up to what its faces allow.
+double most_for(const Model& model, const Sized& given) {
+  const double most = kShareOfMost * most_by_default(model);
+  if (most <= kUsualMost || given.elements <= kUsualMost) return kUsualMost;
+  return std::clamp(estimated_elements(model, coarsened(given.plan, kCoarsestScale)), kUsualMost, most);
 }
 
 }  // namespace
@@ -117,10 +126,7 @@ bool has_free_sizes(const MeshOptions& options) {
          options.min_size == 0.0 && options.max_size == 0.0;
 }
 
-double most_by_default(const Model& model) {
-  constexpr double kManyFaces = 1000.0;
-  return kMost * std::max(1.0, model.count(2) / kManyFaces);
-}
+double most_by_default(const Model& model) { return kMost * std::max(1.0, model.count(2) / kManyFaces); }
 
 MeshOptions with_default_size(const Model& model, const MeshOptions& options, WallMemo* walls) {
   if (options.size != 0.0) return options;
@@ -132,10 +138,9 @@ MeshOptions with_default_size(const Model& model, const MeshOptions& options, Wa
   WallMemo own;
   WallMemo& memo = walls != nullptr ? *walls : own;  // a circle's elements do not change walls
   Sized first = sized(model, chosen, memo);
-  const double most = kShareOfMost * kMost;
-  if (first.elements < most && has_free_curvature(options))
-    first = with_rounder_faces(model, std::move(first), most, memo);
-  const double wanted = std::clamp(first.elements, kFewest, most);
+  if (first.elements < kUsualMost && has_free_curvature(options))
+    first = with_rounder_faces(model, std::move(first), memo);
+  const double wanted = std::clamp(first.elements, kFewest, most_for(model, first));
   if (std::abs(std::log(first.elements / wanted)) < kNear) return first.options;
   const auto sizes = [&](double log_scale) {
     MeshOptions scaled = first.options;
@@ -148,15 +153,7 @@ MeshOptions with_default_size(const Model& model, const MeshOptions& options, Wa
     return log_scale >= 0.0 ? coarsened(first.plan, std::exp(log_scale))
                             : plan_sizes(model, sizes(log_scale), &memo);
   };
-  const auto log_scale = [&](double elements) {
-    return log_scale_for(model, planned, std::log(elements), 0.0, kNear);
-  };
-  const double scale = log_scale(wanted), farthest = std::log(kCoarsestScale);
-  if (scale <= farthest || most_by_default(model) <= kMost) return sizes(scale);
-  // The most elements that it may have, unless fewer will do.
-  const double may_have = kShareOfMost * most_by_default(model);
-  if (estimated_elements(model, planned(farthest)) <= may_have) return sizes(farthest);
-  return sizes(log_scale(may_have));
+  return sizes(log_scale_for(model, planned, std::log(wanted), 0.0, kNear));
 }
 
 }  // namespace octet

@@ -16,7 +16,6 @@
 
 #include "base/blocks.h"
 #include "classify/dual_crossings.h"
-#include "classify/expected_faces.h"
 #include "mesh/circumcentre.h"
 
 namespace octet {
@@ -94,8 +93,7 @@ class GapFinder {
   std::vector<Gap> run(GapScope scope) {
     missing_pieces();
     if (!gaps_.empty() && scope == GapScope::kPiecesFirst) return std::move(gaps_);
-    const ExpectedFaces expected(model_);
-    expected_ = &expected;
+    if (!memory_.expected_) memory_.expected_.emplace(model_);
     facets_ = &band_.facets(mesh_, on_);
     for (std::uint32_t n = 0; n < facets_->size(); ++n)
       if ((*facets_)[n].face == 0) add_facet(GapKind::kNoFace, n, ModelRef{});
@@ -191,7 +189,7 @@ class GapFinder {
       edge_group(uses, i, j, faces, seen);
     }
     for (std::uint32_t n = 0; n < seen.size(); ++n)
-      if (!seen[n] && !expected_->at_edge(chains_[n].edge).empty()) add_piece(GapKind::kEdgeFan, n);
+      if (!seen[n] && !memory_.expected_->at_edge(chains_[n].edge).empty()) add_piece(GapKind::kEdgeFan, n);
   }
 
   void edge_group(const std::vector<EdgeUseOfFacet>& uses, std::size_t i, std::size_t j,
@@ -199,7 +197,7 @@ class GapFinder {
     const std::uint32_t piece = piece_at(VertexId(uses[i].a), VertexId(uses[i].b));
     if (piece != UINT32_MAX) {
       seen[piece] = 1;
-      if (!std::ranges::equal(faces, expected_->at_edge(chains_[piece].edge)))
+      if (!std::ranges::equal(faces, memory_.expected_->at_edge(chains_[piece].edge)))
         add_piece(GapKind::kEdgeFan, piece);
       return;
     }
@@ -314,7 +312,7 @@ class GapFinder {
     const int loops = count_loops(v, around, fan);
     int expected = 0;
     if (on.dim == 2) expected = 1;
-    if (on.dim == 0) expected = expected_->edgeless_at(on.tag);
+    if (on.dim == 0) expected = memory_.expected_->edgeless_at(on.tag);
     if (loops == expected && (on.dim != 2 || fan.components == 1)) return true;
     return loops < 0;  // an edge with other than two facets: reported as kEdgeFan
   }
@@ -377,7 +375,6 @@ class GapFinder {
   const EdgeChains& chains_;
   Band& band_;
   GapMemory& memory_;
-  const ExpectedFaces* expected_ = nullptr;
   const std::vector<BoundaryFacet>* facets_ = nullptr;
   std::vector<Gap> gaps_;
 };

@@ -8,6 +8,7 @@
 
 #include "base/fault.h"
 #include "classify/band.h"
+#include "classify/expected_faces.h"
 
 namespace octet {
 
@@ -56,6 +57,7 @@ class GapMemory {
  private:
   friend class GapFinder;
   enum Fan : std::uint8_t { kAsk, kPlain, kWhole };
+  std::optional<ExpectedFaces> expected_;  ///< of the band's model, once facets have been looked at
   std::vector<std::uint8_t> touched_;  ///< per vertex: whether a tetrahedron came there; those beyond are new
   std::vector<std::uint8_t> present_;  ///< per piece: whether it was an edge of the mesh
   std::vector<std::uint8_t> fans_;     ///< per vertex: a Fan

@@ -125,8 +125,9 @@ bool is_thin(const TopoDS_Shape& solid, double thin) {
   return volume < thin * kMostAreas * diagonal * diagonal && volume < thin * area_of(solid);
 }
 
-/// Planar faces of many edges get their edges' curves in the plane, which OCCT finds anew each time that it
-/// asks for a face's bounds, once for every pair of faces that come near one another.
+/// Planar faces of many edges keep their edges' curves in the plane, which OCCT else finds anew each time
+/// that it asks for a face's bounds, once for every pair of faces that come near one another. Nothing is done
+/// where they have them.
 void keep_curves_on_planes(const TopoDS_Shape& solid) {
   constexpr int kMany = 32;
   for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next()) {

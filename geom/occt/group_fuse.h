@@ -37,7 +37,8 @@ class GroupFuse {
  public:
   /// `contacts` take part in the fuse. `thin`: what two solids fill together, what one of them fills
   /// beside that, what is cut off a face, or what parts their faces, is noise when it is thinner than this.
-  /// `tear`: edges may end this share of their length from their vertices.
+  /// `tear`: edges may end this share of their length from their vertices. The solids stay as they are, but
+  /// that edges of planar faces may get their curves there.
   GroupFuse(const std::vector<TopoDS_Shape>& solids, const std::vector<TopoDS_Edge>& contacts,
             double tolerance, double thin, double tear = 0.0);
 

@@ -59,23 +59,43 @@ TEST(ScaledSizes, PartsOfManySmallFeaturesGetFewEnoughElements) {
   EXPECT_GT(elements, 200'000.0);
 }
 
-TEST(ScaledSizes, AnAssemblyOfManyFacesMayHaveMoreElements) {
-  EXPECT_EQ(most_by_default(analytic_box(Vec3(1.0, 1.0, 1.0))), 500'000.0);
+/// Rounded boxes side by side, 26 faces each.
+Model rounded_boxes(int count, double radius) {
   const BRep_Builder builder;
   TopoDS_Compound boxes;
   builder.MakeCompound(boxes);
-  const TopoDS_Shape box = rounded_box_shape(0.5);
-  for (int i = 0; i < 60; ++i) {
+  const TopoDS_Shape box = rounded_box_shape(radius);
+  for (int i = 0; i < count; ++i) {
     gp_Trsf way;
     way.SetTranslation(gp_Vec(50.0 * (i % 10), 50.0 * (i / 10), 0.0));
     builder.Add(boxes, box.Moved(way));
   }
-  const Model many = model_from_shape(boxes);
-  EXPECT_EQ(many.count(2), 60 * 26);
+  return model_from_shape(boxes);
+}
+
+/// How many times larger than it would be by itself the default size is.
+double growth(const Model& model) { return with_default_size(model, {}).size / global_size(model, {}); }
+
+TEST(ScaledSizes, ThreeHundredThousandByEstimateUnlessFacesAreMany) {
+  const Model few = rounded_boxes(30, 0.5);
+  EXPECT_EQ(few.count(2), 30 * 26);
+  EXPECT_EQ(most_by_default(few), 500'000.0);
+  EXPECT_LT(estimate(few, with_default_size(few, {})), 330'000.0);
+}
+
+TEST(ScaledSizes, OfManyFacesSizesGrowNoFartherThanIsGoodForSmallFeatures) {
+  const Model many = rounded_boxes(60, 3.0);
   EXPECT_EQ(most_by_default(many), 780'000.0);
   const double elements = estimate(many, with_default_size(many, {}));
-  EXPECT_GT(elements, 330'000.0);
-  EXPECT_LT(elements, 500'000.0);
+  EXPECT_GT(elements, 330'000.0) << "as many as others may have make sizes larger";
+  EXPECT_LT(elements, 0.58 * 780'000.0);
+  EXPECT_NEAR(growth(many), 1.6, 0.1);
+}
+
+TEST(ScaledSizes, OfManyFacesThereAreNoMoreElementsThanSoManyAFace) {
+  const Model many = rounded_boxes(60, 0.25);
+  EXPECT_NEAR(estimate(many, with_default_size(many, {})), 0.58 * 780'000.0, 0.12 * 0.58 * 780'000.0);
+  EXPECT_GT(growth(many), 1.7);
 }
 
 /// Region 1 is a box of 4, 3 and 2 times `scale`, region 2 a ball of radius 1 beside it.
