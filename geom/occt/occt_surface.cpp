@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <mutex>
 
@@ -149,6 +150,9 @@ bool OcctSurface::is_foot(const SurfaceJet& jet, const Vec3& r, const Vec2& uv, 
 SurfaceFoot OcctSurface::descend(const Vec3& p, const Vec2& start, double small) const {
   Vec2 uv = into_range(start);
   SurfaceJet jet = evaluate(uv, 2);
+  // Parameters far from zero are known no better than their last digits.
+  constexpr double kLastDigit = std::numeric_limits<double>::epsilon();
+  small = std::max(small, kLastDigit * (std::abs(uv.x()) * jet.du.norm() + std::abs(uv.y()) * jet.dv.norm()));
   double value = (jet.p - p).squaredNorm();
   double damping = 0.0;
   for (int iteration = 0; iteration < 40; ++iteration) {

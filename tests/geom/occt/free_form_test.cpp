@@ -138,6 +138,20 @@ TEST(FreeForm, ProjectionFindsTheFootOnASphere) {
   }
 }
 
+TEST(FreeForm, ProjectionEndsWhereParametersAreFarFromZero) {
+  constexpr double kFar = 5e5;  // digits of the parameter lost: 6e-11
+  const auto cylinder = nurbs(new Geom_CylindricalSurface(gp_Ax3(gp_Pnt(0.0, 0.0, -kFar), gp::DZ()), 1.0),
+                              0.0, kPi, kFar, kFar + 2.0);
+  for (const double angle : {0.3, 1.1, 2.9})
+    for (const double z : {0.1, 0.77, 1.9})
+      for (const double radius : {1.0, 1.001, 0.6}) {
+        const Vec3 on(std::cos(angle), std::sin(angle), z);
+        const SurfaceFoot foot = cylinder->project({radius * on.x(), radius * on.y(), z}, {1.5, kFar + 1.0});
+        EXPECT_TRUE(foot.converged) << angle << " " << z << " " << radius;
+        EXPECT_LT((foot.point - on).norm(), 1e-9);
+      }
+}
+
 TEST(FreeForm, NormalsExistAtThePole) {
   const auto sphere = nurbs_sphere();
   const auto root = roots_of(*sphere, {0.01, 0.02, 0.5}, {0.01, 0.02, 1.5});
