@@ -144,8 +144,11 @@ class PeriodsJoined {
         const gp_Vec2d step(ends(left[i], face_).first, end);
         const gp_Vec2d periods(whole(step.X(), period_[0]), whole(step.Y(), period_[1]));
         // Of those that begin here but for whole periods, the one that is moved least.
+        // A seam does not turn back on itself where another follows, be the gap at the vertex ever so wide.
         constexpr double kMoved = 1e-4;
-        const double rest = (step - periods).Magnitude() + kMoved * periods.Magnitude();
+        constexpr double kTurnedBack = 1e10;
+        double rest = (step - periods).Magnitude() + kMoved * periods.Magnitude();
+        if (left[i].IsSame(at)) rest += kTurnedBack;
         if (rest >= nearest) continue;
         nearest = rest;
         next = i;
