@@ -48,8 +48,12 @@ Repair drop_short_edges(const TopoDS_Shape& solid, double length) {
   fix.SetContext(context);
   fix.SetPrecision(length);
   fix.ModeDropSmallEdges() = true;
-  fix.FixSmallEdges();
-  const TopoDS_Shape made = context->Apply(solid);
+  TopoDS_Shape made = solid;
+  try {
+    fix.FixSmallEdges();
+    made = context->Apply(solid);
+  } catch (const Standard_Failure&) {  // of loops that hold an edge twice, among others
+  }
   if (sub_shapes(made, TopAbs_FACE).Extent() != sub_shapes(solid, TopAbs_FACE).Extent() ||
       sub_shapes(made, TopAbs_EDGE).Extent() >= edges.Extent()) {
     result.entities.clear();

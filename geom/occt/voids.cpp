@@ -32,9 +32,10 @@ TopoDS_Shape solid_within(const TopoDS_Shape& shell) {
   return solid;
 }
 
-/// The outside first, then what fills each void; one where there are none.
+/// The outside first, then what fills each void; one where there are none, none where no shell is outside.
 std::vector<TopoDS_Shape> outside_and_voids(const TopoDS_Shape& solid) {
   const TopoDS_Shape outside = BRepClass3d::OuterShell(TopoDS::Solid(solid));
+  if (outside.IsNull()) return {};
   std::vector<TopoDS_Shape> solids{solid_within(outside)};
   for (TopoDS_Iterator it(solid); it.More(); it.Next())
     if (it.Value().ShapeType() == TopAbs_SHELL && !it.Value().IsSame(outside))

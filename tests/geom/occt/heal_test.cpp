@@ -42,6 +42,7 @@
 #include "geom/occt/from_shape.h"
 #include "geom/occt/gathered.h"
 #include "geom/occt/read_part.h"
+#include "geom/occt/voids.h"
 #include "tests/support/notes.h"
 #include "tests/support/with_void.h"
 
@@ -256,6 +257,20 @@ TEST(Heal, AVoidApartFromTheOutsideIsLeftAlone) {
   const Model model = model_from_shape(stepped_block_with_void(0.5, 0.05));
   EXPECT_EQ(note_with(model, "voids of"), "");
   EXPECT_EQ(model.count(1), 18 + 12);
+}
+
+TEST(Heal, ShellsOfWhichNoneIsOutsideAreNoVoids) {
+  const BRep_Builder builder;
+  TopoDS_Solid solid;
+  builder.MakeSolid(solid);
+  for (const double x : {0.0, 3.0}) {
+    const TopoDS_Shape box = BRepPrimAPI_MakeBox(gp_Pnt(x, 0.0, 0.0), 1.0, 1.0, 1.0).Solid();
+    builder.Add(solid, TopExp_Explorer(box, TopAbs_SHELL).Current().Reversed());
+  }
+  const VoidsJoined joined = join_voids(solid);
+  EXPECT_FALSE(joined.touch);
+  ASSERT_EQ(joined.solids.size(), 1u);
+  EXPECT_TRUE(joined.solids.front().IsEqual(solid));
 }
 
 TEST(Heal, AVoidThatTouchesTheOutsideAtPointsIsNotLost) {
