@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <tuple>
 
 #include "base/blocks.h"
 #include "mesh/circumcentre.h"
@@ -408,7 +409,15 @@ int Band::classify_facet(const TetMesh& mesh, std::span<const ModelRef> on, cons
   for (int i = 0; i < 3; ++i) lists[i] = &faces_of(on[facet.v[i].index()]);
   std::sort(lists.begin(), lists.end(), [](const auto* a, const auto* b) { return a->size() < b->size(); });
   const Vec3 centre = (mesh.points[facet.v[0]] + mesh.points[facet.v[1]] + mesh.points[facet.v[2]]) / 3.0;
-  std::vector<std::pair<double, int>> fitting;
+  struct Candidate {
+    bool beyond;  ///< the centre lies beside the face, beyond its border
+    double distance;
+    int face;
+    bool operator<(const Candidate& other) const {
+      return std::tie(beyond, distance, face) < std::tie(other.beyond, other.distance, other.face);
+    }
+  };
+  std::vector<Candidate> fitting;
   for (const int f : *lists[0]) {
     const auto& r = model_->face(f).region;
     const bool sides =
@@ -416,14 +425,29 @@ int Band::classify_facet(const TetMesh& mesh, std::span<const ModelRef> on, cons
     if (!sides) continue;
     if (!std::binary_search(lists[1]->begin(), lists[1]->end(), f)) continue;
     if (!std::binary_search(lists[2]->begin(), lists[2]->end(), f)) continue;
-    fitting.emplace_back(0.0, f);
+    fitting.push_back({false, 0.0, f});
   }
-  if (fitting.size() > 1)
-    for (auto& [distance, f] : fitting) distance = model_->face_closest(f, centre).distance;
+  if (fitting.size() > 1) {
+    const double slack = slack_of(on, facet);
+    for (Candidate& c : fitting) {
+      c.distance = model_->face_closest(c.face, centre).distance;
+      c.beyond = c.distance > (model_->face_project(c.face, centre).point - centre).norm() + slack;
+    }
+  }
   std::sort(fitting.begin(), fitting.end());
-  for (const auto& [distance, f] : fitting)
-    if (fits(mesh, on, facet, f, region_front)) return f;
+  // A facet over a narrow groove is no part of the face that the groove is in, however near its border.
+  for (const Candidate& c : fitting) {
+    if (c.beyond && !fitting.front().beyond) break;
+    if (fits(mesh, on, facet, c.face, region_front)) return c.face;
+  }
   return 0;
+}
+
+/// The CAD itself knows its edges and vertices no better than this.
+double Band::slack_of(std::span<const ModelRef> on, const BoundaryFacet& facet) const {
+  double slack = 0.0;
+  for (const VertexId v : facet.v) slack = std::max(slack, 2.0 * model_->tolerance_of(on[v.index()]));
+  return slack;
 }
 
 bool Band::fits(const TetMesh& mesh, std::span<const ModelRef> on, const BoundaryFacet& facet, int face,
@@ -435,9 +459,7 @@ bool Band::fits(const TetMesh& mesh, std::span<const ModelRef> on, const Boundar
   const double ab = (b - a).norm(), bc = (c - b).norm(), ca = (a - c).norm();
   const double longest = std::max({ab, bc, ca});
   const FaceFoot foot = model_->face_project(face, centre);
-  // The CAD itself knows its edges and vertices no better than this.
-  double slack = 0.0;
-  for (const VertexId v : facet.v) slack = std::max(slack, 2.0 * model_->tolerance_of(on[v.index()]));
+  const double slack = slack_of(on, facet);
   if (!foot.converged || (foot.point - centre).norm() > kDistance * (ab + bc + ca) / 3.0 + slack)
     return false;
   // A needle of coplanar points, or one as thin as the CAD is vague, has no normal worth asking for; its

@@ -137,6 +137,7 @@ class Band {
   void label_flat(const TetMesh& mesh, const std::vector<TetId>& flat);
   [[nodiscard]] int classify_facet(const TetMesh& mesh, std::span<const ModelRef> on,
                                    const BoundaryFacet& facet, int region_behind, int region_front) const;
+  [[nodiscard]] double slack_of(std::span<const ModelRef> on, const BoundaryFacet& facet) const;
   [[nodiscard]] bool fits(const TetMesh& mesh, std::span<const ModelRef> on, const BoundaryFacet& facet,
                           int face, int region_front) const;
   [[nodiscard]] const std::vector<int>& faces_of(ModelRef on) const;

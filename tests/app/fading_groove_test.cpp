@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Grooves and ridges that fade out: as wide as the square of the distance from where they end.
+#include <gtest/gtest.h>
+
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepBuilderAPI_Sewing.hxx>
+#include <BRepLib.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRep_Builder.hxx>
+#include <Geom_BezierCurve.hxx>
+#include <Geom_BezierSurface.hxx>
+#include <Precision.hxx>
+#include <TColgp_Array1OfPnt.hxx>
+#include <TColgp_Array2OfPnt.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS_Solid.hxx>
+
+#include "app/mesh_part.h"
+#include "geom/occt/from_shape.h"
+#include "octree/tips.h"
+
+namespace octet {
+namespace {
+
+constexpr double kLength = 8.0;
+
+TopoDS_Edge bezier(const gp_Pnt& a, const gp_Pnt& b, const gp_Pnt& c) {
+  TColgp_Array1OfPnt poles(1, 3);
+  poles(1) = a;
+  poles(2) = b;
+  poles(3) = c;
+  return BRepBuilderAPI_MakeEdge(Handle(Geom_Curve)(new Geom_BezierCurve(poles)));
+}
+
+/// On the plane z = 0 from the origin along x; half as wide as `width`, and `height` high, where it ends.
+TopoDS_Solid fading_ridge(double width, double height) {
+  const gp_Pnt tip(0.0, 0.0, 0.0), middle(0.5 * kLength, 0.0, 0.0), left(kLength, -0.5 * width, 0.0),
+      top(kLength, 0.0, 2.0 * height), right(kLength, 0.5 * width, 0.0);
+  TColgp_Array2OfPnt poles(1, 3, 1, 3);
+  for (int j = 1; j <= 3; ++j) {
+    poles(1, j) = tip;
+    poles(2, j) = middle;
+    poles(3, j) = j == 1 ? left : j == 2 ? top : right;
+  }
+  const TopoDS_Edge end = BRepBuilderAPI_MakeEdge(left, right);
+  BRepBuilderAPI_MakeWire foot(bezier(tip, middle, left), end, bezier(tip, middle, right)),
+      front(end, bezier(left, top, right));
+  BRepBuilderAPI_Sewing sewing(1e-6);
+  const Handle(Geom_Surface) surface = new Geom_BezierSurface(poles);
+  sewing.Add(BRepBuilderAPI_MakeFace(surface, Precision::Confusion()).Face());
+  sewing.Add(BRepBuilderAPI_MakeFace(foot.Wire(), true).Face());
+  sewing.Add(BRepBuilderAPI_MakeFace(front.Wire(), true).Face());
+  sewing.Perform();
+  TopoDS_Solid solid;
+  BRep_Builder().MakeSolid(solid);
+  BRep_Builder().Add(solid, TopExp_Explorer(sewing.SewedShape(), TopAbs_SHELL).Current());
+  BRepLib::OrientClosedSolid(solid);
+  return solid;
+}
+
+TopoDS_Shape block(double z0, double z1) {
+  return BRepPrimAPI_MakeBox(gp_Pnt(-2.0, -5.0, z0), gp_Pnt(kLength + 2.0, 5.0, z1)).Shape();
+}
+
+TopoDS_Shape grooved(double width, double height) {
+  return BRepAlgoAPI_Cut(block(0.0, 5.0), fading_ridge(width, height)).Shape();
+}
+
+void expect_complete(const TopoDS_Shape& shape) {
+  const Model model = model_from_shape(shape);
+  ASSERT_EQ(model.count(2), 8);
+  for (const double size : {0.7, 1.1, 1.8}) {
+    MeshOptions options;
+    options.size = size;
+    const MeshReport report = mesh_part(model, options).report;
+    EXPECT_EQ(report.status, MeshStatus::kComplete)
+        << size << ": " << (report.faults.empty() ? "" : report.faults[0].cause);
+  }
+}
+
+/// Facets across the groove are nearer to the face beside it than to its bottom, and in that face's plane.
+TEST(FadingGroove, Closes) {
+  expect_complete(grooved(1.2, 0.5));
+  expect_complete(grooved(0.4, 0.2));
+}
+
+TEST(FadingGroove, ARidgeCloses) {
+  expect_complete(BRepAlgoAPI_Fuse(block(-5.0, 0.0), fading_ridge(0.4, 0.2)).Shape());
+}
+
+/// Its face narrows to nothing, and bulges to half a turn, but there is no way around it.
+TEST(FadingGroove, IsNoTip) {
+  const Model model = model_from_shape(grooved(1.2, 0.5));
+  OctreeRequest request;
+  request.size = 1.0;
+  EXPECT_TRUE(Tips(model, build_octree(model, request, {})).all().empty());
+}
+
+}  // namespace
+}  // namespace octet
