@@ -179,7 +179,9 @@ StarMeasure measure(LocalStar& star, const Vec3& place, double floor) {
 bool triangles_fit(const Workshop& shop, const LocalStar& star, const Stand& stand) {
   if (star.on.dim == 2 && beyond_border(shop, star.on.tag, stand)) return false;
   for (const BoundaryGuard::OnEdge& end : star.piece_ends)
-    if (shop.guard.piece_sag(star.on.tag, {stand.point, stand.t}, end) > star.piece_bound) return false;
+    if (shop.guard.piece_sag(star.on.tag, {stand.point, stand.t}, end) > star.piece_bound ||
+        shop.guard.turns_back(star.on.tag, {stand.point, stand.t}, end))
+      return false;
   for (std::size_t i = 0; i < star.triangles.size(); ++i) {
     const int face = star.triangles[i].face;
     // On a plane they neither turn nor leave it while their tetrahedra are positive.

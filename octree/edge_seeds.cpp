@@ -64,6 +64,8 @@ class EdgeSeeder {
       match_pending();
     }
     for (int e = 1; e <= model_.count(1); ++e)
+      if (model_.edge(e).use == EdgeUse::kReal) stop_at_turns(e);
+    for (int e = 1; e <= model_.count(1); ++e)
       if (model_.edge(e).use == EdgeUse::kReal) emit(e);
   }
 
@@ -164,6 +166,51 @@ class EdgeSeeder {
         pending_.push_back({tag, t});
       }
     }
+  }
+
+  /// Where an edge turns back within a piece, as at the end of a narrow groove, it has a point there.
+  void stop_at_turns(int tag) {
+    constexpr int kMost = 6;  // halves of halves
+    for (int pass = 0; pass < kMost; ++pass) {
+      std::vector<double> ends = stops_[tag];
+      ends.insert(ends.begin(), model_.edge(tag).t0);
+      ends.push_back(model_.edge(tag).t1);
+      bool any = false;
+      for (std::size_t i = 0; i + 1 < ends.size(); ++i)
+        if (const std::optional<double> t = turn_between(tag, ends[i], ends[i + 1])) {
+          std::vector<double>& stops = stops_[tag];
+          stops.insert(std::lower_bound(stops.begin(), stops.end(), *t), *t);
+          pending_.push_back({tag, *t});
+          any = true;
+        }
+      if (!any) return;
+      match_pending();
+    }
+  }
+
+  /// The parameter of the point that makes a piece longest when it is split there; none where the piece is
+  /// about as long as the edge is: a circle's pieces are, of which there are three.
+  [[nodiscard]] std::optional<double> turn_between(int tag, double ta, double tb) const {
+    constexpr double kTurned = 0.5;  // cosine between the directions at the ends
+    constexpr double kLonger = 1.3;
+    const Vec3 a = model_.edge_derivative(tag, ta), b = model_.edge_derivative(tag, tb);
+    if (a.dot(b) > kTurned * a.norm() * b.norm()) return std::nullopt;
+    const Vec3 pa = model_.edge_point(tag, ta), pb = model_.edge_point(tag, tb);
+    if (model_.edge_length(tag, ta, tb) <= kLonger * (pb - pa).norm()) return std::nullopt;
+    const auto length = [&](double t) {
+      const Vec3 p = model_.edge_point(tag, t);
+      return (p - pa).norm() + (p - pb).norm();
+    };
+    constexpr int kSamples = 16, kRounds = 4;
+    double lo = ta, hi = tb, best = 0.5 * (ta + tb);
+    for (int round = 0; round < kRounds; ++round) {
+      const double step = (hi - lo) / kSamples;
+      for (int i = 0; i <= kSamples; ++i)
+        if (const double t = lo + i * step; length(t) > length(best)) best = t;
+      lo = std::max(ta, best - step);
+      hi = std::min(tb, best + step);
+    }
+    return best > ta && best < tb ? std::optional(best) : std::nullopt;
   }
 
   void emit(int tag) {

@@ -10,6 +10,7 @@
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepLib.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
 #include <BRep_Builder.hxx>
 #include <Geom_BezierCurve.hxx>
 #include <Geom_BezierSurface.hxx>
@@ -18,6 +19,7 @@
 #include <TColgp_Array2OfPnt.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS_Solid.hxx>
+#include <gp.hxx>
 
 #include "app/mesh_part.h"
 #include "geom/occt/from_shape.h"
@@ -90,6 +92,23 @@ TEST(FadingGroove, Closes) {
 
 TEST(FadingGroove, ARidgeCloses) {
   expect_complete(BRepAlgoAPI_Fuse(block(-5.0, 0.0), fading_ridge(0.4, 0.2)).Shape());
+}
+
+/// Its border turns back at the groove's end, within a hundredth of the size.
+TEST(FadingGroove, OfAConeKeepsItsEnd) {
+  for (const double radius : {0.3835, 0.8584}) {
+    const gp_Ax2 axis(gp_Pnt(-4.0, 0.0, 0.2 * radius), gp::DX());
+    const TopoDS_Shape block = BRepPrimAPI_MakeBox(gp_Pnt(-10.0, -7.0, -6.0), gp_Pnt(20.0, 7.0, 0.0)).Shape();
+    const TopoDS_Shape cone = BRepPrimAPI_MakeCone(axis, radius, 0.05 * radius, 20.0).Shape();
+    const Model model = model_from_shape(BRepAlgoAPI_Cut(block, cone).Shape());
+    for (const double size : {1.188, 4.949}) {
+      MeshOptions options;
+      options.size = size;
+      const MeshReport report = mesh_part(model, options).report;
+      EXPECT_EQ(report.status, MeshStatus::kComplete)
+          << radius << ", " << size << ": " << (report.faults.empty() ? "" : report.faults[0].cause);
+    }
+  }
 }
 
 /// Its face narrows to nothing, and bulges to half a turn, but there is no way around it.
