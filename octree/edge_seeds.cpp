@@ -104,14 +104,23 @@ class EdgeSeeder {
     match_pending();
   }
 
-  /// Edges along a sharp tip have a point of its ring.
+  /// Edges along a sharp tip have a point of its ring: the first of them where it leaves the tip's ball, the
+  /// others across from there, if they have a point that is about where they leave it.
   void stop_at_rings() {
+    constexpr double kAbout = 0.1;
     for (const Tip& tip : state_.seeds.tips.all())
       for (const int e : model_.vertex(tip.vertex).edges) {
         if (model_.edge(e).use != EdgeUse::kReal) continue;
-        if (const std::optional<double> t = ring_parameter(model_, tip, e)) add_stop(e, *t, kEdgeSpacing);
+        const std::optional<double> t = ring_parameter(model_, tip, e);
+        if (!t) continue;
+        const Vec3 p = model_.edge_point(e, *t);
+        const bool is_matched = std::any_of(stops_[e].begin(), stops_[e].end(), [&](double stop) {
+          return (model_.edge_point(e, stop) - p).norm() < kAbout * tip.reach;
+        });
+        if (is_matched) continue;
+        add_stop(e, *t, kEdgeSpacing);
+        match_pending();
       }
-    match_pending();
   }
 
   void match_pending() {
@@ -224,6 +233,9 @@ class EdgeSeeder {
       seeds.pieces.push_back({last, to, t_last, t, tag});
       const Vec3 middle = 0.5 * (a + b);
       state_.piece_grid.add(number, middle, std::max((b - a).norm(), spacing_at(middle)));
+      constexpr double kLong = 2.5;
+      if ((b - a).norm() > kLong * std::min({spacing_at(a), spacing_at(b), spacing_at(middle)}))
+        state_.long_pieces.push_back(number);
       last = to;
       t_last = t;
     };

@@ -98,10 +98,13 @@ class FaceSeeder {
           return keeps_out(points.on[n], points.position[n]);
         }))
       return false;
-    return !state_.piece_grid.any_within(a.p, a.size, [&](std::uint32_t n, double) {
+    const auto is_within = [&](std::uint32_t n) {
       const EdgePiece& piece = state_.seeds.pieces[n];
       return (a.p - points.position[piece.a]).dot(a.p - points.position[piece.b]) < 0.0;
-    });
+    };
+    return !state_.piece_grid.any_within(a.p, a.size, [&](std::uint32_t n, double) {
+      return is_within(n);
+    }) && std::none_of(state_.long_pieces.begin(), state_.long_pieces.end(), is_within);
   }
 
   /// Whether the point and p are on two sheets of the face that face each other, of one that meets itself: as

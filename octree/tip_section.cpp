@@ -96,18 +96,6 @@ Ellipse ellipse_about(const Trace& trace) {
   return {ways * (0.5 * (low + high)), ways.col(1), 0.5 * (high - low).y(), 0.5 * (high - low).x()};
 }
 
-Vec3 mean_of(const std::vector<Vec3>& ways) {
-  return std::accumulate(ways.begin(), ways.end(), Vec3(Vec3::Zero())).normalized();
-}
-
-/// Sine of the largest angle between the ways and their mean.
-double width_of(const std::vector<Vec3>& ways) {
-  const Vec3 mean = mean_of(ways);
-  double most = 0.0;
-  for (const Vec3& way : ways) most = std::max(most, way.cross(mean).norm());
-  return most;
-}
-
 }  // namespace
 
 void TipSides::add(const Model& model, std::size_t facet, const Vec3& pole) {
@@ -125,35 +113,32 @@ void TipSides::add(const Model& model, std::size_t facet, const Vec3& pole) {
   const int inwards = jet.du.norm() < jet.dv.norm() ? 1 : 0;
   const Vec2 a = uv[(nearest + 1) % 3], b = uv[(nearest + 2) % 3];
   constexpr int kSteps = 4;
-  constexpr double kNear = 1.0 / 16.0;  // of a facet's length
-  const auto add_way = [&](std::vector<Vec3>& ways, int k, double share) {
-    Vec2 at = a + (b - a) * k / kSteps;
-    at[inwards] = uv[nearest][inwards] + share * (at[inwards] - uv[nearest][inwards]);
-    const Vec3 way = model.face_jet(face, at, 0).p - pole;
-    if (way.norm() > none) ways.push_back(way.normalized());
-  };
   for (int k = 0; k <= kSteps; ++k) {
-    add_way(sides, k, kNear);
-    add_way(nearer, k, 0.25 * kNear);
+    constexpr double kNear = 1.0 / 16.0;  // of a facet's length
+    Vec2 at = a + (b - a) * k / kSteps;
+    at[inwards] = uv[nearest][inwards] + kNear * (at[inwards] - uv[nearest][inwards]);
+    const Vec3 way = model.face_jet(face, at, 0).p - pole;
+    if (way.norm() > none) sides.push_back(way.normalized());
   }
 }
 
 void TipSides::add(const TipSides& other) {
   length = std::min(length, other.length);
   sides.insert(sides.end(), other.sides.begin(), other.sides.end());
-  nearer.insert(nearer.end(), other.nearer.begin(), other.nearer.end());
 }
 
-Vec3 TipSides::mean() const { return mean_of(sides); }
-
-bool TipSides::are_cusped() const {
-  constexpr double kCusped = 0.6;  // 1 of a cone, 1/4 where the width goes with the distance squared
-  return !nearer.empty() && width_of(nearer) < kCusped * width_of(sides);
+Vec3 TipSides::mean() const {
+  return std::accumulate(sides.begin(), sides.end(), Vec3(Vec3::Zero())).normalized();
 }
 
 bool TipSides::point_as(const TipSides& other) const {
+  const auto width = [](const TipSides& of) {
+    double most = 0.0;
+    for (const Vec3& side : of.sides) most = std::max(most, side.cross(of.mean()).norm());
+    return most;
+  };
   return mean().dot(other.mean()) > 0.0 &&
-         mean().cross(other.mean()).norm() <= 2.0 * std::max(width_of(sides), width_of(other.sides));
+         mean().cross(other.mean()).norm() <= 2.0 * std::max(width(*this), width(other));
 }
 
 std::optional<TipSection> section_of(const TipSides& sides) {

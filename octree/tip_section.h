@@ -12,16 +12,13 @@ namespace octet {
 
 /// What narrows to nothing about a pole, by ways that lead from the pole along it.
 struct TipSides {
-  double length = 0.0;       ///< from the pole to the farthest point
-  std::vector<Vec3> sides;   ///< unit
-  std::vector<Vec3> nearer;  ///< of the same ways, from the pole to a quarter as far, unit
+  double length = 0.0;      ///< from the pole to the farthest point
+  std::vector<Vec3> sides;  ///< unit
 
   /// Those of a face, by the exact face beside its facets at the pole.
   void add(const Model& model, std::size_t facet, const Vec3& pole);
   void add(const TipSides& other);
   [[nodiscard]] Vec3 mean() const;
-  /// Whether they narrow faster than a cone does, as a fillet that runs out between faces that become one.
-  [[nodiscard]] bool are_cusped() const;
   /// Whether both point the same way, but for what either is wide.
   [[nodiscard]] bool point_as(const TipSides& other) const;
 };

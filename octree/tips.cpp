@@ -44,18 +44,6 @@ Sides* like(std::vector<Sides>& sides, int vertex, const TipSides& shape) {
   return same == sides.end() ? nullptr : &*same;
 }
 
-/// Whether the faces have no border at the vertex but among themselves, as a thorn has. A fillet that runs
-/// out in a cusp may look as if it wound, for it bulges; a ring about it would starve the faces beside it.
-bool close_about(const Model& model, const Sides& of) {
-  const auto is_of = [&](int face) { return std::binary_search(of.faces.begin(), of.faces.end(), face); };
-  const std::vector<int>& edges = model.vertex(of.vertex).edges;
-  return std::none_of(edges.begin(), edges.end(), [&](int e) {
-    const std::vector<int>& faces = model.edge(e).faces;
-    return model.edge(e).use == EdgeUse::kReal && std::any_of(faces.begin(), faces.end(), is_of) &&
-           !std::all_of(faces.begin(), faces.end(), is_of);
-  });
-}
-
 /// How large a ball a ring of points has room in.
 double reach_of(Tip tip, double length, const Octree& tree) {
   constexpr double kStep = 1.05;
@@ -115,7 +103,7 @@ Tips::Tips(const Model& model, const Octree& tree) {
   }
   for (const Sides& of : sides) {
     const std::optional<TipSection> section = section_of(of.shape);
-    if (!section || !section->winds || (of.shape.are_cusped() && !close_about(model, of))) continue;
+    if (!section || !section->winds) continue;
     Tip tip;
     tip.vertex = of.vertex;
     tip.faces = of.faces;
