@@ -188,15 +188,6 @@ double BoundaryGuard::piece_sag(const WorkMesh& mesh, VertexId a, VertexId b, st
   return piece_sag(edge, on_edge(mesh, a, edge, tag < 0), on_edge(mesh, b, edge, tag > 0));
 }
 
-bool BoundaryGuard::turns_back(int edge, const OnEdge& from, const OnEdge& to) const {
-  constexpr double kTurned = 0.5;  // cosine between the directions at the ends
-  constexpr double kLonger = 1.3;  // than the chord; what the claim about an edge's length takes for cut off
-  const Vec3 a = model_->edge_derivative(edge, from.t), b = model_->edge_derivative(edge, to.t);
-  if (a.dot(b) > kTurned * a.norm() * b.norm()) return false;
-  const double length = model_->edge_length(edge, std::min(from.t, to.t), std::max(from.t, to.t));
-  return length > kLonger * (to.point - from.point).norm();
-}
-
 Seat BoundaryGuard::project(const WorkMesh& mesh, VertexId v, int face) const {
   const FaceFoot foot = model_->face_project(face, mesh.points[v]);
   return {foot.uv, foot.normal};

@@ -115,9 +115,6 @@ class BoundaryGuard {
   [[nodiscard]] double piece_sag(int edge, const OnEdge& from, const OnEdge& to) const;
   /// The same in the mesh; `tag` as `piece_on` has it.
   [[nodiscard]] double piece_sag(const WorkMesh& mesh, VertexId a, VertexId b, std::int32_t tag) const;
-  /// Whether the edge turns back between the two, as at the end of a narrow groove, so that a piece from one
-  /// to the other leaves out what is beyond.
-  [[nodiscard]] bool turns_back(int edge, const OnEdge& from, const OnEdge& to) const;
   /// The farthest that faces and edges were from the mesh at first, by estimated sagittae, and a twentieth
   /// more.
   [[nodiscard]] double most_sag() const { return at_first_.sag; }

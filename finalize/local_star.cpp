@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "finalize/workshop.h"
+#include "geom/edge_turn.h"
 
 namespace octet {
 namespace {
@@ -180,7 +181,7 @@ bool triangles_fit(const Workshop& shop, const LocalStar& star, const Stand& sta
   if (star.on.dim == 2 && beyond_border(shop, star.on.tag, stand)) return false;
   for (const BoundaryGuard::OnEdge& end : star.piece_ends)
     if (shop.guard.piece_sag(star.on.tag, {stand.point, stand.t}, end) > star.piece_bound ||
-        shop.guard.turns_back(star.on.tag, {stand.point, stand.t}, end))
+        turns_back(shop.model, star.on.tag, stand.t, stand.point, end.t, end.point))
       return false;
   for (std::size_t i = 0; i < star.triangles.size(); ++i) {
     const int face = star.triangles[i].face;

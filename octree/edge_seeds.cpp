@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "geom/edge_turn.h"
 #include "octree/seed_state.h"
 
 namespace octet {
@@ -197,15 +198,10 @@ class EdgeSeeder {
     }
   }
 
-  /// The parameter of the point that makes a piece longest when it is split there; none where the piece is
-  /// about as long as the edge is: a circle's pieces are, of which there are three.
+  /// Where the edge turns back between two points: the parameter of the point with the longest way to both.
   [[nodiscard]] std::optional<double> turn_between(int tag, double ta, double tb) const {
-    constexpr double kTurned = 0.5;  // cosine between the directions at the ends
-    constexpr double kLonger = 1.3;
-    const Vec3 a = model_.edge_derivative(tag, ta), b = model_.edge_derivative(tag, tb);
-    if (a.dot(b) > kTurned * a.norm() * b.norm()) return std::nullopt;
     const Vec3 pa = model_.edge_point(tag, ta), pb = model_.edge_point(tag, tb);
-    if (model_.edge_length(tag, ta, tb) <= kLonger * (pb - pa).norm()) return std::nullopt;
+    if (!turns_back(model_, tag, ta, pa, tb, pb)) return std::nullopt;
     const auto length = [&](double t) {
       const Vec3 p = model_.edge_point(tag, t);
       return (p - pa).norm() + (p - pb).norm();
@@ -227,6 +223,11 @@ class EdgeSeeder {
     Seeds& seeds = state_.seeds;
     std::uint32_t last = seeds.model_vertex[edge.vertex[0]];
     double t_last = edge.t0;
+    const auto is_tip = [&](std::uint32_t point) {
+      const std::vector<Tip>& tips = seeds.tips.all();
+      return std::any_of(tips.begin(), tips.end(),
+                         [&](const Tip& tip) { return seeds.model_vertex[tip.vertex] == point; });
+    };
     const auto piece = [&](std::uint32_t to, double t) {
       const Vec3 a = seeds.points.position[last], b = seeds.points.position[to];
       const auto number = static_cast<std::uint32_t>(seeds.pieces.size());
@@ -234,7 +235,8 @@ class EdgeSeeder {
       const Vec3 middle = 0.5 * (a + b);
       state_.piece_grid.add(number, middle, std::max((b - a).norm(), spacing_at(middle)));
       constexpr double kLong = 2.5;
-      if ((b - a).norm() > kLong * std::min({spacing_at(a), spacing_at(b), spacing_at(middle)}))
+      if ((is_tip(last) || is_tip(to)) &&
+          (b - a).norm() > kLong * std::min({spacing_at(a), spacing_at(b), spacing_at(middle)}))
         state_.long_pieces.push_back(number);
       last = to;
       t_last = t;

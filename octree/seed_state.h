@@ -35,7 +35,7 @@ struct SeedState {
   Seeds seeds;
   PointGrid points_grid;  ///< all points so far
   PointGrid piece_grid;   ///< midpoints of edge pieces, in cells of the local size or their length
-  std::vector<std::uint32_t> long_pieces;  ///< far longer than the local size, as along tips
+  std::vector<std::uint32_t> long_pieces;  ///< from the ends of tips, far longer than the local size
   EdgeIndex edge_index;
   std::vector<bool> folded{false};  ///< by face tag: it meets itself in an edge
 
