@@ -71,6 +71,8 @@ class AttributeLoop {
     std::sort(fans.begin(), fans.end());
     if (!fans.empty() && band_.repair_beside(mesh(), on_, chains_, fans) > 0)
       result_.gaps = find_gaps(band_, mesh(), on_, chains_, memory_);
+    only_bare_vertices_ = std::all_of(result_.gaps.begin(), result_.gaps.end(),
+                                      [](const Gap& gap) { return gap.kind == GapKind::kBareVertex; });
     bare_faces_.clear();
     for (const Gap& gap : result_.gaps)
       if (gap.kind == GapKind::kBareFace) bare_faces_.insert(gap.entity.tag);
@@ -431,11 +433,13 @@ class AttributeLoop {
       if (near_a_point_of(b->on, b->point, std::max(limits_.floor, 0.1 * b->distance), near)) continue;
       inserted = insert(b->point, b->on, near).has_value() || inserted;
     }
-    if (!inserted && !(bare_faces_.count(gap.entity.tag) != 0 && refine_around(gap))) ++result_.rejected;
+    const bool may_be_coarse = bare_faces_.count(gap.entity.tag) != 0 || only_bare_vertices_;
+    if (!inserted && !(may_be_coarse && refine_around(gap))) ++result_.rejected;
   }
 
-  /// Facets may be too coarse for a closed face to be told from what they shut off: it gets a point beside a
-  /// bare one, halfway to another of its points.
+  /// Facets may be too coarse for a closed face to be told from what they shut off, or for a point beneath
+  /// them, where all else is closed: the face gets a point beside a bare one, halfway to another of its
+  /// points.
   bool refine_around(const Gap& gap) {
     triangulation_.star(gap.vertex, cavity_);
     std::vector<std::pair<double, VertexId>> beside;
@@ -500,6 +504,7 @@ class AttributeLoop {
   std::size_t first_ = 0, fewest_ = std::numeric_limits<std::size_t>::max();  ///< gaps open in such rounds
   std::unordered_map<std::size_t, std::size_t> spent_;                        ///< points by cell
   std::set<int> bare_faces_;           ///< without any facet in this round
+  bool only_bare_vertices_ = false;    ///< there is no other gap in this round
   std::vector<std::uint8_t> changed_;  ///< per tetrahedron: made in this round
   std::vector<TetId> relabel_, created_, cavity_;
   TetId last_;

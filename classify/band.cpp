@@ -409,10 +409,12 @@ int Band::classify_facet(const TetMesh& mesh, std::span<const ModelRef> on, cons
   for (int i = 0; i < 3; ++i) lists[i] = &faces_of(on[facet.v[i].index()]);
   std::sort(lists.begin(), lists.end(), [](const auto* a, const auto* b) { return a->size() < b->size(); });
   const Vec3 centre = (mesh.points[facet.v[0]] + mesh.points[facet.v[1]] + mesh.points[facet.v[2]]) / 3.0;
+  const double slack = slack_of(on, facet);
   struct Candidate {
     bool beyond;  ///< the centre lies beside the face, beyond its border
     double distance;
     int face;
+    FaceFoot foot;  ///< of the centre on the surface
     bool operator<(const Candidate& other) const {
       return std::tie(beyond, distance, face) < std::tie(other.beyond, other.distance, other.face);
     }
@@ -425,20 +427,18 @@ int Band::classify_facet(const TetMesh& mesh, std::span<const ModelRef> on, cons
     if (!sides) continue;
     if (!std::binary_search(lists[1]->begin(), lists[1]->end(), f)) continue;
     if (!std::binary_search(lists[2]->begin(), lists[2]->end(), f)) continue;
-    fitting.push_back({false, 0.0, f});
+    fitting.push_back({false, 0.0, f, model_->face_project(f, centre)});
   }
-  if (fitting.size() > 1) {
-    const double slack = slack_of(on, facet);
+  if (fitting.size() > 1)
     for (Candidate& c : fitting) {
       c.distance = model_->face_closest(c.face, centre).distance;
-      c.beyond = c.distance > (model_->face_project(c.face, centre).point - centre).norm() + slack;
+      c.beyond = c.distance > (c.foot.point - centre).norm() + slack;
     }
-  }
   std::sort(fitting.begin(), fitting.end());
   // A facet over a narrow groove is no part of the face that the groove is in, however near its border.
   for (const Candidate& c : fitting) {
     if (c.beyond && !fitting.front().beyond) break;
-    if (fits(mesh, on, facet, c.face, region_front)) return c.face;
+    if (fits(mesh, facet, c.face, c.foot, slack, region_front)) return c.face;
   }
   return 0;
 }
@@ -450,7 +450,7 @@ double Band::slack_of(std::span<const ModelRef> on, const BoundaryFacet& facet) 
   return slack;
 }
 
-bool Band::fits(const TetMesh& mesh, std::span<const ModelRef> on, const BoundaryFacet& facet, int face,
+bool Band::fits(const TetMesh& mesh, const BoundaryFacet& facet, int face, const FaceFoot& foot, double slack,
                 int region_front) const {
   const Vec3 a = mesh.points[facet.v[0]], b = mesh.points[facet.v[1]], c = mesh.points[facet.v[2]];
   const Vec3 centre = (a + b + c) / 3.0;
@@ -458,8 +458,6 @@ bool Band::fits(const TetMesh& mesh, std::span<const ModelRef> on, const Boundar
   const double twice_area = normal.norm();
   const double ab = (b - a).norm(), bc = (c - b).norm(), ca = (a - c).norm();
   const double longest = std::max({ab, bc, ca});
-  const FaceFoot foot = model_->face_project(face, centre);
-  const double slack = slack_of(on, facet);
   if (!foot.converged || (foot.point - centre).norm() > kDistance * (ab + bc + ca) / 3.0 + slack)
     return false;
   // A needle of coplanar points, or one as thin as the CAD is vague, has no normal worth asking for; its

@@ -138,8 +138,9 @@ class Band {
   [[nodiscard]] int classify_facet(const TetMesh& mesh, std::span<const ModelRef> on,
                                    const BoundaryFacet& facet, int region_behind, int region_front) const;
   [[nodiscard]] double slack_of(std::span<const ModelRef> on, const BoundaryFacet& facet) const;
-  [[nodiscard]] bool fits(const TetMesh& mesh, std::span<const ModelRef> on, const BoundaryFacet& facet,
-                          int face, int region_front) const;
+  /// `foot`: of the facet's centroid on the face's surface; `slack`: slack_of().
+  [[nodiscard]] bool fits(const TetMesh& mesh, const BoundaryFacet& facet, int face, const FaceFoot& foot,
+                          double slack, int region_front) const;
   [[nodiscard]] const std::vector<int>& faces_of(ModelRef on) const;
   [[nodiscard]] bool share_a_face(ModelRef a, ModelRef b) const;
   [[nodiscard]] Vec3 place_of(const TetMesh& mesh, std::span<const ModelRef> on, TetId t,

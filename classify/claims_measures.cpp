@@ -7,6 +7,7 @@
 
 #include "base/segment.h"
 #include "classify/claims.h"
+#include "geom/edge_turn.h"
 
 namespace octet {
 namespace {
@@ -75,8 +76,8 @@ EdgeSums edge_sums(const ClaimInput& in, int tag) {
     sums.chords += m.chord;
     if (m.sagitta > sums.farthest.distance) sums.farthest = {model_edge(tag), m.place, m.sagitta};
     if (m.chord <= 0.0) continue;
-    sums.length_error +=
-        std::min(std::max(11.0 * m.sagitta * m.sagitta / m.chord, 1.1 * m.excess), 0.3 * m.chord);
+    sums.length_error += std::min(std::max(11.0 * m.sagitta * m.sagitta / m.chord, 1.1 * m.excess),
+                                  (kMostOverChord - 1.0) * m.chord);
     sums.area_error += 1.4 * std::min(m.sagitta, 0.5 * m.chord) * m.chord;
     sums.volume_error += 2.0 * std::pow(std::min(m.sagitta, 0.5 * m.chord), 2) * m.chord;
   }

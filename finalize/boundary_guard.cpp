@@ -171,7 +171,7 @@ void BoundaryGuard::measure_pieces(const WorkMesh& mesh) {
   }
 }
 
-BoundaryGuard::OnEdge BoundaryGuard::on_edge(const WorkMesh& mesh, VertexId v, int edge, bool last) const {
+OnEdge BoundaryGuard::on_edge(const WorkMesh& mesh, VertexId v, int edge, bool last) const {
   if (mesh.on[v].dim == 1) return {mesh.points[v], parameter(v)};
   const ModelEdge& model_edge = model_->edge(edge);
   return {mesh.points[v], last ? model_edge.t1 : model_edge.t0};

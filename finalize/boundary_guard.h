@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "finalize/work_mesh.h"
+#include "geom/edge_turn.h"
 #include "geom/model.h"
 
 namespace octet {
@@ -104,11 +105,6 @@ class BoundaryGuard {
     return fit.turn <= bound.turn && fit.sag <= bound.sag;
   }
 
-  /// A place on a model edge.
-  struct OnEdge {
-    Vec3 point;
-    double t = 0.0;
-  };
   /// A vertex in the closure of a model edge; `last` tells the ends apart.
   [[nodiscard]] OnEdge on_edge(const WorkMesh& mesh, VertexId v, int edge, bool last) const;
   /// Distance of the middle of a piece of a model edge from its chord.

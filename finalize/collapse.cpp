@@ -164,13 +164,8 @@ bool draft_triangles(Workshop& shop, VertexId gone, VertexId kept, const std::ve
 /// Whether the model edge turns by more than a right angle along a new piece of it.
 bool cuts_a_bend(Workshop& shop, const NewPiece& piece) {
   constexpr double kQuarterCircle = 1.1107;  // arc over chord
-  const ModelEdge& edge = shop.model.edge(piece.edge);
-  const auto parameter = [&](VertexId v, double at_vertex) {
-    return shop.mesh.on[v].dim == 0 ? at_vertex : shop.guard.parameter(v);
-  };
-  const double length =
-      shop.model.edge_length(piece.edge, parameter(piece.from, edge.t0), parameter(piece.to, edge.t1));
-  return length > kQuarterCircle * (shop.mesh.points[piece.to] - shop.mesh.points[piece.from]).norm();
+  return arc_over_chord(shop.model, piece.edge, shop.guard.on_edge(shop.mesh, piece.from, piece.edge, false),
+                        shop.guard.on_edge(shop.mesh, piece.to, piece.edge, true)) > kQuarterCircle;
 }
 
 /// Whether the sum of merits rises and no new edge is much longer than the size.

@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "finalize/workshop.h"
-#include "geom/edge_turn.h"
 
 namespace octet {
 namespace {
@@ -179,9 +178,9 @@ StarMeasure measure(LocalStar& star, const Vec3& place, double floor) {
 
 bool triangles_fit(const Workshop& shop, const LocalStar& star, const Stand& stand) {
   if (star.on.dim == 2 && beyond_border(shop, star.on.tag, stand)) return false;
-  for (const BoundaryGuard::OnEdge& end : star.piece_ends)
+  for (const OnEdge& end : star.piece_ends)
     if (shop.guard.piece_sag(star.on.tag, {stand.point, stand.t}, end) > star.piece_bound ||
-        turns_back(shop.model, star.on.tag, stand.t, stand.point, end.t, end.point))
+        turns_back(shop.model, star.on.tag, {stand.point, stand.t}, end))
       return false;
   for (std::size_t i = 0; i < star.triangles.size(); ++i) {
     const int face = star.triangles[i].face;

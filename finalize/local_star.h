@@ -29,17 +29,17 @@ struct Stand {
 /// Many threads may work on stars of their own. Ensures nothing about the mesh: a star may stand for a vertex
 /// that does not exist yet.
 struct LocalStar {
-  ModelRef on;                                    ///< entity that the vertex must stay on
-  StarBases bases;                                ///< of its tetrahedra
-  std::vector<StarTriangle> triangles;            ///< on model faces
-  std::vector<std::array<Vec3, 2>> rims;          ///< points of the triangles' other vertices
-  std::vector<std::array<Vec3, 2>> normals;       ///< exact normals there
-  std::vector<int> faces;                         ///< model faces of the triangles, once each
-  Fit bound;                                      ///< what the triangles may become
-  std::vector<BoundaryGuard::OnEdge> piece_ends;  ///< of a vertex on an edge: the others of its pieces
-  double piece_bound = 0.0;                       ///< how far the edge may be from them
-  double length = 0.0;                            ///< mean distance from the place to the bases' corners
-  std::uint64_t work = 0;                         ///< done on it, in evaluations of `shape`
+  ModelRef on;                               ///< entity that the vertex must stay on
+  StarBases bases;                           ///< of its tetrahedra
+  std::vector<StarTriangle> triangles;       ///< on model faces
+  std::vector<std::array<Vec3, 2>> rims;     ///< points of the triangles' other vertices
+  std::vector<std::array<Vec3, 2>> normals;  ///< exact normals there
+  std::vector<int> faces;                    ///< model faces of the triangles, once each
+  Fit bound;                                 ///< what the triangles may become
+  std::vector<OnEdge> piece_ends;            ///< of a vertex on an edge: the others of its pieces
+  double piece_bound = 0.0;                  ///< how far the edge may be from them
+  double length = 0.0;                       ///< mean distance from the place to the bases' corners
+  std::uint64_t work = 0;                    ///< done on it, in evaluations of `shape`
 };
 
 /// Appends the triangles at the vertex on model faces, once each; `tets` are the tetrahedra around it.

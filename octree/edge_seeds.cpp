@@ -201,7 +201,7 @@ class EdgeSeeder {
   /// Where the edge turns back between two points: the parameter of the point with the longest way to both.
   [[nodiscard]] std::optional<double> turn_between(int tag, double ta, double tb) const {
     const Vec3 pa = model_.edge_point(tag, ta), pb = model_.edge_point(tag, tb);
-    if (!turns_back(model_, tag, ta, pa, tb, pb)) return std::nullopt;
+    if (!turns_back(model_, tag, {pa, ta}, {pb, tb})) return std::nullopt;
     const auto length = [&](double t) {
       const Vec3 p = model_.edge_point(tag, t);
       return (p - pa).norm() + (p - pb).norm();

@@ -136,7 +136,8 @@ class PeriodsJoined {
       const TopoDS_Edge at = left[next];
       left.erase(left.begin() + static_cast<std::ptrdiff_t>(next));
       const gp_Pnt2d end = ends(at, face_).second;
-      double nearest = std::numeric_limits<double>::infinity();
+      // A seam does not turn back on itself where another follows, be the gap at the vertex ever so wide.
+      std::pair nearest(true, std::numeric_limits<double>::infinity());
       next = 0;
       gp_Vec2d shift(0.0, 0.0);
       for (std::size_t i = 0; i < left.size(); ++i) {
@@ -144,11 +145,9 @@ class PeriodsJoined {
         const gp_Vec2d step(ends(left[i], face_).first, end);
         const gp_Vec2d periods(whole(step.X(), period_[0]), whole(step.Y(), period_[1]));
         // Of those that begin here but for whole periods, the one that is moved least.
-        // A seam does not turn back on itself where another follows, be the gap at the vertex ever so wide.
         constexpr double kMoved = 1e-4;
-        constexpr double kTurnedBack = 1e10;
-        double rest = (step - periods).Magnitude() + kMoved * periods.Magnitude();
-        if (left[i].IsSame(at)) rest += kTurnedBack;
+        const std::pair rest(static_cast<bool>(left[i].IsSame(at)),
+                             (step - periods).Magnitude() + kMoved * periods.Magnitude());
         if (rest >= nearest) continue;
         nearest = rest;
         next = i;

@@ -28,13 +28,7 @@ class Bench {
       : band_(model, [&](const Vec3& p) { return model.region_at(p); }), edges_(model, size) {
     OctreeRequest request;
     request.size = size;
-    const Octree tree = build_octree(model, request, {});
-    const OctreeVertices vertices = octree_vertices(tree);
-    const OctantTypes types = octant_types(model, tree);
-    const std::vector<OctantEdge> edges = boundary_octant_edges(tree, vertices, types);
-    const std::vector<OctantEdgeCut> cuts = cut_octant_edges(model, tree, vertices, edges);
-    const OctreeLabels labels = label_vertices(model, tree, vertices, types, edges, cuts);
-    seeds_ = test::seed_points(model, tree, vertices, labels, cuts, {size});
+    seeds_ = test::seed_points(model, build_octree(model, request, {}), size);
   }
 
   /// Keeps the points for which keep(position, on) holds; edge points are always kept.
@@ -147,8 +141,8 @@ TEST(AttributePoints, CloseAHollowWhosePointsAreAllInTheMiddle) {
   int hollow = 0;
   for (int f = 1; f <= model.count(2); ++f)
     if (!model.is_plane(f)) hollow = f;
-  for (int step = 0; step < 18; ++step) {
-    const double size = 1.3 + 0.05 * step;
+  for (int step = 0; step < 24; ++step) {
+    const double size = 1.0 + 0.05 * step;
     Bench bench(model, size);
     for (double y = 0.2; y < 7.9; y += 0.15)
       bench.add(1.6 * Vec3(std::sqrt(0.5), 0.0, std::sqrt(0.5)) + Vec3(0.0, y, 0.0), model_face(hollow));

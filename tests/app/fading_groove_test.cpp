@@ -21,8 +21,8 @@
 #include <TopoDS_Solid.hxx>
 #include <gp.hxx>
 
-#include "app/mesh_part.h"
 #include "geom/occt/from_shape.h"
+#include "tests/support/expect_complete.h"
 #include "tests/support/seed_points.h"
 
 namespace octet {
@@ -72,26 +72,20 @@ TopoDS_Shape grooved(double width, double height) {
   return BRepAlgoAPI_Cut(block(0.0, 5.0), fading_ridge(width, height)).Shape();
 }
 
-void expect_complete(const TopoDS_Shape& shape) {
+void expect_closes(const TopoDS_Shape& shape) {
   const Model model = model_from_shape(shape);
   ASSERT_EQ(model.count(2), 8);
-  for (const double size : {0.7, 1.1, 1.8}) {
-    MeshOptions options;
-    options.size = size;
-    const MeshReport report = mesh_part(model, options).report;
-    EXPECT_EQ(report.status, MeshStatus::kComplete)
-        << size << ": " << (report.faults.empty() ? "" : report.faults[0].cause);
-  }
+  test::expect_complete(model, {0.7, 1.1, 1.8});
 }
 
 /// Facets across the groove are nearer to the face beside it than to its bottom, and in that face's plane.
 TEST(FadingGroove, Closes) {
-  expect_complete(grooved(1.2, 0.5));
-  expect_complete(grooved(0.4, 0.2));
+  expect_closes(grooved(1.2, 0.5));
+  expect_closes(grooved(0.4, 0.2));
 }
 
 TEST(FadingGroove, ARidgeCloses) {
-  expect_complete(BRepAlgoAPI_Fuse(block(-5.0, 0.0), fading_ridge(0.4, 0.2)).Shape());
+  expect_closes(BRepAlgoAPI_Fuse(block(-5.0, 0.0), fading_ridge(0.4, 0.2)).Shape());
 }
 
 /// The groove is a tip: near its end its edges have no points, but one long piece each, about which no face
@@ -101,12 +95,7 @@ TEST(FadingGroove, NoPointOfAFaceIsAboutAPieceOfAnEdge) {
   OctreeRequest request;
   request.size = 0.3;
   const Octree tree = build_octree(model, request, {});
-  const OctreeVertices vertices = octree_vertices(tree);
-  const OctantTypes types = octant_types(model, tree);
-  const std::vector<OctantEdge> edges = boundary_octant_edges(tree, vertices, types);
-  const std::vector<OctantEdgeCut> cuts = cut_octant_edges(model, tree, vertices, edges);
-  const OctreeLabels labels = label_vertices(model, tree, vertices, types, edges, cuts);
-  const Seeds seeds = test::seed_points(model, tree, vertices, labels, cuts, {request.size});
+  const Seeds seeds = test::seed_points(model, tree, request.size);
   double longest = 0.0;
   for (const EdgePiece& piece : seeds.pieces) {
     const Vec3 a = seeds.points.position[piece.a], b = seeds.points.position[piece.b];
@@ -127,13 +116,7 @@ TEST(FadingGroove, OfAConeKeepsItsEnd) {
     const TopoDS_Shape block = BRepPrimAPI_MakeBox(gp_Pnt(-10.0, -7.0, -6.0), gp_Pnt(20.0, 7.0, 0.0)).Shape();
     const TopoDS_Shape cone = BRepPrimAPI_MakeCone(axis, radius, 0.05 * radius, 20.0).Shape();
     const Model model = model_from_shape(BRepAlgoAPI_Cut(block, cone).Shape());
-    for (const double size : {1.188, 4.949}) {
-      MeshOptions options;
-      options.size = size;
-      const MeshReport report = mesh_part(model, options).report;
-      EXPECT_EQ(report.status, MeshStatus::kComplete)
-          << radius << ", " << size << ": " << (report.faults.empty() ? "" : report.faults[0].cause);
-    }
+    test::expect_complete(model, {1.188, 4.949}, std::to_string(radius));
   }
 }
 

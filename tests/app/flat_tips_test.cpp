@@ -15,9 +15,9 @@
 
 #include <string>
 
-#include "app/mesh_part.h"
 #include "geom/occt/from_shape.h"
 #include "octree/tips.h"
+#include "tests/support/expect_complete.h"
 
 namespace octet {
 namespace {
@@ -46,14 +46,7 @@ TopoDS_Shape loft_to_a_point() {
 }
 
 void expect_complete(const std::string& name, const TopoDS_Shape& shape) {
-  const Model model = model_from_shape(shape);
-  for (const double size : {2.0, 1.0}) {
-    MeshOptions options;
-    options.size = size;
-    const MeshReport report = mesh_part(model, options).report;
-    EXPECT_EQ(report.status, MeshStatus::kComplete)
-        << name << " at " << size << ": " << (report.faults.empty() ? "" : report.faults[0].cause);
-  }
+  test::expect_complete(model_from_shape(shape), {2.0, 1.0}, name);
 }
 
 TEST(FlatTips, AreMeasuredEitherWay) {

@@ -12,8 +12,8 @@
 #include <TopoDS_Vertex.hxx>
 #include <gp_Ax2.hxx>
 
-#include "app/mesh_part.h"
 #include "geom/occt/from_shape.h"
+#include "tests/support/expect_complete.h"
 
 namespace octet {
 namespace {
@@ -33,13 +33,7 @@ Model pocket_at_an_edge() {
 
 TEST(PinchedFace, IsMeshedAtAnySize) {
   const Model model = pocket_at_an_edge();
-  for (const double size : {3.0, 1.0, 0.4}) {
-    MeshOptions options;
-    options.size = size;
-    const MeshReport report = mesh_part(model, options).report;
-    EXPECT_EQ(report.status, MeshStatus::kComplete)
-        << size << ": " << (report.faults.empty() ? "" : report.faults[0].cause);
-  }
+  test::expect_complete(model, {3.0, 1.0, 0.4});
 }
 
 }  // namespace

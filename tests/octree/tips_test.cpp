@@ -70,12 +70,7 @@ TEST(Tips, HaveSixPointsOnTheRingAndNoneBeyondOrInItsBall) {
   const Tips tips(model, tree);
   ASSERT_EQ(tips.all().size(), 1u);
   const Tip& tip = tips.all().front();
-  const OctreeVertices vertices = octree_vertices(tree);
-  const OctantTypes types = octant_types(model, tree);
-  const std::vector<OctantEdge> edges = boundary_octant_edges(tree, vertices, types);
-  const std::vector<OctantEdgeCut> cuts = cut_octant_edges(model, tree, vertices, edges);
-  const OctreeLabels labels = label_vertices(model, tree, vertices, types, edges, cuts);
-  const Seeds seeds = test::seed_points(model, tree, vertices, labels, cuts, {kSize});
+  const Seeds seeds = test::seed_points(model, tree, kSize);
   int on_ring = 0;
   for (std::size_t i = 0; i < seeds.points.size(); ++i) {
     const Vec3 p = seeds.points.position[i];
