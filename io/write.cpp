@@ -11,6 +11,7 @@
 #include "base/check.h"
 #include "base/error.h"
 #include "io/bdf_write.h"
+#include "io/exodus_write.h"
 #include "io/inp_write.h"
 #include "io/msh_write.h"
 #include "io/output_file.h"
@@ -20,7 +21,7 @@
 namespace octet {
 namespace {
 
-constexpr const char* kNames = "msh, msh41, msh41-ascii, msh22, msh22-ascii, vtu, inp, unv, bdf";
+constexpr const char* kNames = "msh, msh41, msh41-ascii, msh22, msh22-ascii, vtu, inp, unv, bdf, exodus";
 
 std::string lower_case(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
@@ -41,6 +42,7 @@ MeshFormat mesh_format(const std::filesystem::path& path, const std::string& nam
     if (wanted == "inp") return MeshFormat::kInp;
     if (wanted == "unv") return MeshFormat::kUnv;
     if (wanted == "bdf") return MeshFormat::kBdf;
+    if (wanted == "exodus") return MeshFormat::kExodus;
     throw InputError(fmt::format("unknown mesh format \"{}\"; known are {}", name, kNames));
   }
   const std::string suffix = lower_case(path.extension().string());
@@ -49,8 +51,10 @@ MeshFormat mesh_format(const std::filesystem::path& path, const std::string& nam
   if (suffix == ".inp") return MeshFormat::kInp;
   if (suffix == ".unv") return MeshFormat::kUnv;
   if (suffix == ".bdf" || suffix == ".nas") return MeshFormat::kBdf;
-  throw InputError(fmt::format("\"{}\" ends in none of .msh, .vtu, .inp, .unv and .bdf: name the format ({})",
-                               path.string(), kNames));
+  if (suffix == ".exo" || suffix == ".e") return MeshFormat::kExodus;
+  throw InputError(
+      fmt::format("\"{}\" ends in none of .msh, .vtu, .inp, .unv, .bdf and .exo: name the format ({})",
+                  path.string(), kNames));
 }
 
 void write_mesh(const std::filesystem::path& path, const Mesh& mesh, const ModelOutline& outline,
@@ -83,6 +87,9 @@ void write_mesh(const std::filesystem::path& path, const Mesh& mesh, const Model
       break;
     case MeshFormat::kBdf:
       write_bdf(file, mesh, outline, options.scale);
+      break;
+    case MeshFormat::kExodus:
+      write_exodus(file, mesh, outline, options.scale);
       break;
   }
   file.commit();

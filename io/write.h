@@ -10,14 +10,25 @@
 
 namespace octet {
 
-enum class MeshFormat { kMsh41Binary, kMsh41Ascii, kMsh22Binary, kMsh22Ascii, kVtu, kInp, kUnv, kBdf };
+enum class MeshFormat {
+  kMsh41Binary,
+  kMsh41Ascii,
+  kMsh22Binary,
+  kMsh22Ascii,
+  kVtu,
+  kInp,
+  kUnv,
+  kBdf,
+  kExodus
+};
 
 struct WriteOptions {
   double scale = 1.0;  ///< multiplies coordinates: model units (millimetre) to the unit asked for
 };
 
-/// Format for a path by its suffix (.msh: MSH 4.1 binary, .vtu, .inp, .unv, .bdf or .nas); `name` is the
-/// user's --format or empty: msh (=msh41), msh41, msh41-ascii, msh22, msh22-ascii, vtu, inp, unv, bdf.
+/// Format for a path by its suffix (.msh: MSH 4.1 binary, .vtu, .inp, .unv, .bdf or .nas, .exo or .e);
+/// `name` is the user's --format or empty: msh (=msh41), msh41, msh41-ascii, msh22, msh22-ascii, vtu, inp,
+/// unv, bdf, exodus.
 /// InputError when neither tells.
 [[nodiscard]] MeshFormat mesh_format(const std::filesystem::path& path, const std::string& name);
 
