@@ -289,6 +289,24 @@ class Files(unittest.TestCase):
             rows = np.vstack([block.data for block in read.cells if block.type == kind])
             np.testing.assert_array_equal(read.points[rows], mesh.points[mesh.tets])
 
+    def test_med_files_have_a_group_for_every_entity(self):
+        mesh = octet.mesh(model("two_boxes.step"))
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "a.med")
+            mesh.to_meshio().write(path)
+            read = meshio.read(path)
+        for kind, dim, rows, on in (
+            ("line", 1, mesh.edges, mesh.edge_on),
+            ("triangle", 2, mesh.triangles, mesh.triangle_on),
+            ("tetra", 3, mesh.tets, mesh.tet_in),
+        ):
+            np.testing.assert_array_equal(read.cells_dict[kind], rows)
+            groups = [read.cell_tags[family] for family in read.cell_data_dict["cell_tags"][kind]]
+            self.assertEqual(groups, [[mesh.names[dim, tag]] for tag in on])
+        for point, (dim, tag) in enumerate(mesh.point_on):
+            family = read.point_data["point_tags"][point]
+            self.assertEqual(read.point_tags.get(family), [mesh.names[0, tag]] if dim == 0 else None)
+
 
 def _renumber(data):
     """Nodes of a binary MSH 4.1 file get the numbers 3, 6, ..., the last first."""

@@ -100,18 +100,41 @@ class Mesh:
         shutil.copyfile(self.file, path)
 
     def to_meshio(self):
-        """A meshio.Mesh, which writes MED, Exodus and others; its cell data `entity` are tags of model
-        entities."""
+        """A meshio.Mesh, which writes MED and others. Its cell data `entity` are tags of model entities; what
+        MED has for groups (`cell_tags`, `point_tags`) puts the elements of each edge, face and region, and the
+        node of each vertex, into a group by its name."""
         import meshio
 
-        blocks = zip(
-            MESHIO[self.order],
-            (self.edges, self.triangles, self.tets),
-            (self.edge_on, self.triangle_on, self.tet_in),
+        kinds, cells, tags, families = MESHIO[self.order], [], [], {}
+        for dim, rows, on in (
+            (1, self.edges, self.edge_on),
+            (2, self.triangles, self.triangle_on),
+            (3, self.tets, self.tet_in),
+        ):
+            if not len(rows):
+                continue
+            entities, which = np.unique(on, return_inverse=True)
+            numbers = -len(families) - 1 - np.arange(len(entities))  # MED's families of elements are negative
+            families.update((int(n), [self._name(dim, tag)]) for n, tag in zip(numbers, entities))
+            cells.append((kinds[dim - 1], rows))
+            tags.append((on, numbers[which]))
+        on_vertices = np.flatnonzero(self.point_on[:, 0] == 0)
+        at_point = np.zeros(len(self.points), dtype=np.int64)
+        at_point[on_vertices] = np.arange(1, len(on_vertices) + 1)
+        mesh = meshio.Mesh(
+            self.points,
+            cells,
+            point_data={"point_tags": at_point},
+            cell_data={"entity": [on for on, _ in tags], "cell_tags": [family for _, family in tags]},
         )
-        blocks = [block for block in blocks if len(block[1])]
-        cells = [(kind, rows) for kind, rows, _ in blocks]
-        return meshio.Mesh(self.points, cells, cell_data={"entity": [on for _, _, on in blocks]})
+        mesh.cell_tags = families
+        mesh.point_tags = {
+            int(at_point[point]): [self._name(0, self.point_on[point, 1])] for point in on_vertices
+        }
+        return mesh
+
+    def _name(self, dim, tag):
+        return self.names.get((dim, int(tag)), f"{KINDS[dim]}{tag}")
 
 
 def read(path):
