@@ -31,6 +31,15 @@ configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/octetConfig.cmake.in
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/octetConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/octetConfig.cmake ${PROJECT_BINARY_DIR}/octetConfigVersion.cmake
         DESTINATION ${package_dir} COMPONENT library)
+# The manual page says what --help does.
+add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/octet.1
+  COMMAND ${CMAKE_COMMAND} -D OCTET=$<TARGET_FILE:octet> -D VERSION=${PROJECT_VERSION}
+          -D PAGE=${PROJECT_BINARY_DIR}/octet.1 -P ${PROJECT_SOURCE_DIR}/cmake/ManPage.cmake
+  DEPENDS octet ${PROJECT_SOURCE_DIR}/cmake/ManPage.cmake VERBATIM)
+add_custom_target(octet_man_page ALL DEPENDS ${PROJECT_BINARY_DIR}/octet.1)
+install(FILES ${PROJECT_BINARY_DIR}/octet.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
+install(FILES ${PROJECT_SOURCE_DIR}/app/completion.bash RENAME octet
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT program)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 # The Python package, for PYTHONPATH, and the plug-in for FreeCAD, to be linked into its folder Mod, which uses it.
 # It looks for the program in ../../../bin from its folder.

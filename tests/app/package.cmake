@@ -31,11 +31,21 @@ step(dpkg-deb -f ${library} Depends)
 expect("octet \\(= ")
 foreach(file bin/octet libexec/octet/octet-reader lib/liboctet_app.a lib/cmake/octet/octetConfig.cmake
              include/octet/app/mesh_part.h lib/python3/dist-packages/octet/__init__.py
-             share/freecad/Mod/Octet/Init.py share/doc/octet/LICENSE)
+             share/freecad/Mod/Octet/Init.py share/doc/octet/LICENSE share/man/man1/octet.1
+             share/bash-completion/completions/octet)
   if(NOT EXISTS ${work}/root/usr/${file})
     message(FATAL_ERROR "the packages lack /usr/${file}")
   endif()
 endforeach()
+file(STRINGS ${work}/root/usr/share/man/man1/octet.1 output)
+expect("octet .- CAD part in.*OCTET MESH.*.-.-target.-elements N")
+file(WRITE ${work}/complete.sh ". ${work}/root/usr/share/bash-completion/completions/octet\n"
+                               "COMP_WORDS=(${work}/root/usr/bin/octet mesh --tar) COMP_CWORD=2; _octet\n"
+                               "echo \"\${COMPREPLY[@]}\"\n"
+                               "COMP_WORDS=(${work}/root/usr/bin/octet i) COMP_CWORD=1; _octet\n"
+                               "echo \"\${COMPREPLY[@]}\"\n")
+step(bash complete.sh)
+expect("^--target-elements\ninfo improve\n$")
 step(${work}/root/usr/bin/octet mesh ${MODELS}/bracket.step -o bracket.msh --size 8)
 expect("status   complete")
 if(PYTHON)
