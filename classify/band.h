@@ -57,8 +57,8 @@ class EdgeChains {
 ///
 /// Invariant: `region` is that of the octree vertices of a live tetrahedron seen by update(), of its
 /// circumcentre where it has none, 0 for ghosts, until repair() moves it. Where all are the circumcentre's
-/// the facets between different regions are the restricted Delaunay triangulation of the boundary. [DESIGN:
-/// docs/ARCHITECTURE.md, "Classification"]
+/// the facets between different regions are the restricted Delaunay triangulation of the boundary.
+/// [docs/classification.md]
 ///
 /// A face embedded in a region parts no regions: there a facet is a face whose two tetrahedra have their
 /// places on either side of it. The places around an edge of the mesh make a closed polygon, which goes
