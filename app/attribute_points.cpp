@@ -165,6 +165,23 @@ class AttributeLoop {
     }
   }
 
+  /// A tetrahedron that has a corner behind a sheet much nearer than its other corners reaches through it:
+  /// the corner's partner on the sheet is missing.
+  void match_apexes(const Gap& gap) {
+    std::array<VertexId, 3> facet;
+    for (int i = 0; i < 3; ++i) facet[i] = mesh().tets[gap.tet][kTetFace[gap.local][i]];
+    const auto of_facet = [&](VertexId w) { return std::find(facet.begin(), facet.end(), w) != facet.end(); };
+    for (const TetId t : {gap.tet, mesh().neighbours[gap.tet][gap.local]}) {
+      if (changed(t) || mesh().ghost(t)) continue;
+      const auto v = mesh().tets[t];
+      const VertexId apex = *std::find_if_not(v.begin(), v.end(), of_facet);
+      double clear = std::numeric_limits<double>::infinity();
+      for (const VertexId w : v)
+        if (w != apex) clear = std::min(clear, (mesh().points[w] - mesh().points[apex]).norm());
+      match_corner(apex, kThinGap * clear);
+    }
+  }
+
   void match_corner(VertexId v, double reach) {
     const ModelRef on = on_[v.index()];
     const Vec3 p = mesh().points[v];
@@ -173,8 +190,9 @@ class AttributeLoop {
       const TetId near = triangulation_.tet_at(v);
       if (!near_a_point_of(model_face(face), b, off, near)) insert(b, model_face(face), near);
     };
-    if (on.dim == 1) {
-      const Vec3 tangent = model_.edge_derivative(on.tag, model_.edge_closest(on.tag, p).t);
+    if (on.dim < 2) {
+      const Vec3 tangent =
+          on.dim == 0 ? Vec3::Zero() : model_.edge_derivative(on.tag, model_.edge_closest(on.tag, p).t);
       for (const FacePartner& b : face_partners(model_, on, p, tangent, reach)) match(b.face, b.point);
     } else if (on.dim == 2) {
       const Vec3 normal = model_.face_project(on.tag, p).normal;
@@ -204,7 +222,9 @@ class AttributeLoop {
       insert_at(*point, gap.tet);
     else
       ++result_.rejected;
-    if (result_.points == before && gap.kind == GapKind::kNoFace) close_behind(gap);
+    if (gap.kind != GapKind::kNoFace) return;
+    if (result_.points == before) close_behind(gap);
+    if (result_.points == before) match_apexes(gap);
   }
 
   void insert_at(const AttributePoint& point, TetId near) {
