@@ -91,6 +91,12 @@ class FoldFinder {
     return other.IsSame(face) ? TopoDS_Face() : TopoDS::Face(other);
   }
 
+  /// Whether a side goes from a vertex back to it and no other face has it: it parts the face from nothing.
+  [[nodiscard]] bool is_speck(const TopoDS_Edge& edge) const {
+    return faces_of_.FindFromKey(edge).Extent() == 1 &&
+           TopExp::FirstVertex(edge).IsSame(TopExp::LastVertex(edge));
+  }
+
   /// Whether the boundary turns back at the middle of an edge.
   static bool turns_back(const TopoDS_Edge& edge, const TopoDS_Face& face, const TopoDS_Face& other) {
     double first = 0.0, last = 0.0;
@@ -161,8 +167,8 @@ class FoldFinder {
     return true;
   }
 
-  /// The sides of the face but for `edge`, from the start of that to its end; none where the face has several
-  /// loops, or another of its sides borders the same face.
+  /// The sides of the face but for `edge` and specks, from the start of that to its end; none where the face
+  /// has several loops, or another of its sides borders the same face.
   [[nodiscard]] std::optional<std::vector<TopoDS_Edge>> rest_of_loop(const TopoDS_Edge& edge,
                                                                      const TopoDS_Face& face) const {
     TopTools_IndexedMapOfShape wires;
@@ -179,6 +185,7 @@ class FoldFinder {
     std::rotate(loop.begin(), at, loop.end());
     const bool along = loop.front().Orientation() == TopAbs_FORWARD;
     loop.erase(loop.begin());
+    std::erase_if(loop, [&](const TopoDS_Edge& side) { return is_speck(side); });
     const TopoDS_Face other = beyond(edge, face);
     for (TopoDS_Edge& side : loop) {
       const TopoDS_Face user = beyond(side, face);

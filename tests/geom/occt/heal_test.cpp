@@ -18,6 +18,10 @@
 #include <GC_MakeArcOfCircle.hxx>
 #include <Geom2d_Curve.hxx>
 #include <Geom_Curve.hxx>
+#include <IFSelect_ReturnStatus.hxx>
+#include <Precision.hxx>
+#include <STEPControl_Reader.hxx>
+#include <ShapeFix_Edge.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -25,12 +29,15 @@
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
+#include <TopoDS_Iterator.hxx>
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <TopoDS_Wire.hxx>
+#include <algorithm>
 #include <gp.hxx>
 #include <gp_Ax2.hxx>
+#include <gp_Circ.hxx>
 #include <gp_Pln.hxx>
 #include <gp_Pnt.hxx>
 #include <gp_Trsf.hxx>
@@ -217,6 +224,45 @@ TEST(Heal, ALoopThroughAPoleGetsAnEdgeThere) {
 
 TEST(Heal, AFaceFoldedFlatOntoItsNeighbourIsTakenAway) {
   const Model model = read_part(OCTET_MODELS "/bugs/folded_top.step");
+  EXPECT_NE(note_with(model, "lie flat on a face beside them"), "");
+  EXPECT_EQ(model.count(2), 10);
+  EXPECT_NEAR(model.region(1).volume, 18.0, 1e-9);
+  EXPECT_EQ(check_model(model), "");
+}
+
+/// The shape with a loop of 0.002 more, from a vertex back to it, in the border of the face that lies between
+/// two others in one plane.
+TopoDS_Shape with_speck_at_fold(const TopoDS_Shape& shape) {
+  const auto is_fold = [](const TopoDS_Face& face) {
+    TopTools_IndexedMapOfShape edges;
+    TopExp::MapShapes(face, TopAbs_EDGE, edges);
+    return edges.Extent() == 2;
+  };
+  const std::vector<TopoDS_Face> faces = faces_of(shape);
+  const TopoDS_Face fold = *std::find_if(faces.begin(), faces.end(), is_fold);
+  const TopoDS_Vertex at = TopoDS::Vertex(TopExp_Explorer(fold, TopAbs_VERTEX).Current());
+  const gp_Pnt from = BRep_Tool::Pnt(at);
+  const BRep_Builder builder;
+  const gp_Ax2 circle(from.Translated(gp_Vec(0, 0.001 / kPi, 0)), gp::DZ(), gp_Dir(0, -1, 0));
+  TopoDS_Edge speck = BRepBuilderAPI_MakeEdge(gp_Circ(circle, 0.001 / kPi), at, at);
+  builder.UpdateVertex(at, 0.002);
+  TopoDS_Face plain = TopoDS::Face(fold.EmptyCopied());
+  const TopoDS_Wire old = TopoDS::Wire(TopExp_Explorer(fold, TopAbs_WIRE).Current());
+  TopoDS_Wire border = TopoDS::Wire(old.EmptyCopied());
+  builder.Add(border, speck);
+  for (TopoDS_Iterator it(old); it.More(); it.Next()) builder.Add(border, it.Value());
+  builder.Add(plain, border);
+  ShapeFix_Edge().FixAddPCurve(speck, plain, false, Precision::Confusion());
+  BRepTools_ReShape changes;
+  changes.Replace(fold, plain);
+  return changes.Apply(shape);
+}
+
+TEST(Heal, AFoldWhoseLoopHasASpeckIsTakenAwayToo) {
+  STEPControl_Reader reader;
+  ASSERT_EQ(reader.ReadFile(OCTET_MODELS "/bugs/folded_top.step"), IFSelect_RetDone);
+  reader.TransferRoots();
+  const Model model = model_from_shape(with_speck_at_fold(reader.OneShape()));
   EXPECT_NE(note_with(model, "lie flat on a face beside them"), "");
   EXPECT_EQ(model.count(2), 10);
   EXPECT_NEAR(model.region(1).volume, 18.0, 1e-9);
