@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <map>
 #include <new>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -219,8 +221,19 @@ void add_improve(CLI::App& app, ImproveCommand& improve) {
   sub.footer(kFooter);
 }
 
+/// What may have been meant by a first word that is no command: one of like spelling, or to mesh that file.
+std::string meant_command(const CLI::App& app, const std::string& word) {
+  std::vector<std::string> known;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    known.push_back(command->get_name());
+  std::string close = closest_word(word, known);
+  std::error_code unreadable;
+  if (close.empty() && std::filesystem::is_regular_file(word, unreadable)) close = "mesh " + word;
+  return close.empty() ? close : " (did you mean octet " + close + "?)";
+}
+
 /// What may have been meant by the first option that a command does not know.
-std::string meant(const CLI::App& app) {
+std::string meant_option(const CLI::App& app) {
   for (const CLI::App* command : app.get_subcommands())
     for (const std::string& word : command->remaining()) {
       if (word.rfind("--", 0) != 0) continue;
@@ -257,7 +270,12 @@ int run(int argc, char** argv) {
     return complain(error.what(), kExitBadInput);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-    return complain(error.what() + meant(app) + "; see octet --help", kExitBadInput);
+    const auto commands = app.get_subcommands();
+    const std::string meant = !commands.empty() ? meant_option(app)
+                              : argc > 1        ? meant_command(app, argv[1])
+                                                : std::string();
+    const std::string page = commands.empty() ? "octet" : "octet " + commands.front()->get_name();
+    return complain(fmt::format("{}{}; see {} --help", error.what(), meant, page), kExitBadInput);
   }
   if (app.got_subcommand("mesh")) return guarded([&] { return run_mesh(mesh); });
   if (app.got_subcommand("adapt")) return guarded([&] { return run_mesh(adapt); });

@@ -96,6 +96,19 @@ TEST(SizeCommand, MisspeltWordsAreToldWhatTheyMayHaveMeant) {
   EXPECT_TRUE(says(refusal(fixture, {"--size-at", "Face900=1"}), "its numbers end at "));
 }
 
+TEST(SizeCommand, AMissingOrMisspeltCommandIsToldWhatItMayHaveBeen) {
+  const auto refusal = [](const std::vector<std::string>& words) {
+    const ProgramRun run = run_octet(words);
+    EXPECT_EQ(run.exit_code, kExitBadInput);
+    return run.err;
+  };
+  EXPECT_NE(refusal({"mehs", box()}).find("did you mean octet mesh?"), std::string::npos);
+  EXPECT_NE(refusal({box(), "-o", "a.msh"}).find("did you mean octet mesh " + box() + "?"),
+            std::string::npos);
+  EXPECT_NE(refusal({"mesh", box()}).find("--output is required; see octet mesh --help"), std::string::npos);
+  EXPECT_EQ(refusal({"nonsense"}).find("did you mean"), std::string::npos);
+}
+
 TEST(SizeCommand, PointCloudsAreFields) {
   const TemporaryDirectory out;
   write_bytes(out.file("a.csv"), "x,y,z,size\n0,0,0,0.5\n5,10,15,3\n10,20,30,3\n");
