@@ -303,6 +303,10 @@ class Files(unittest.TestCase):
             np.testing.assert_array_equal(read.cells_dict[kind], rows)
             groups = [read.cell_tags[family] for family in read.cell_data_dict["cell_tags"][kind]]
             self.assertEqual(groups, [[mesh.names[dim, tag]] for tag in on])
+            alone = mesh.to_meshio(dim)
+            self.assertEqual([block.type for block in alone.cells], [kind])
+            np.testing.assert_array_equal(alone.cell_data["entity"][0], on)
+            self.assertEqual((list(alone.cell_data), list(alone.point_data)), (["entity"], []))
         for point, (dim, tag) in enumerate(mesh.point_on):
             family = read.point_data["point_tags"][point]
             self.assertEqual(read.point_tags.get(family), [mesh.names[0, tag]] if dim == 0 else None)

@@ -99,25 +99,29 @@ class Mesh:
         """Copies its file. Other formats: `output` of octet.mesh, or meshio."""
         shutil.copyfile(self.file, path)
 
-    def to_meshio(self):
-        """A meshio.Mesh, which writes MED and others. Its cell data `entity` are tags of model entities; what
-        MED has for groups (`cell_tags`, `point_tags`) puts the elements of each edge, face and region, and the
-        node of each vertex, into a group by its name."""
+    def to_meshio(self, dim=None):
+        """A meshio.Mesh, which writes MED, XDMF and others. Its cell data `entity` are tags of model entities;
+        what MED has for groups (`cell_tags`, `point_tags`) puts the elements of each edge, face and region, and
+        the node of each vertex, into a group by its name. Where `dim` is given it has the elements of that
+        dimension alone, and `entity` for all data, as readers of XDMF want it."""
         import meshio
 
         kinds, cells, tags, families = MESHIO[self.order], [], [], {}
-        for dim, rows, on in (
+        for of, rows, on in (
             (1, self.edges, self.edge_on),
             (2, self.triangles, self.triangle_on),
             (3, self.tets, self.tet_in),
         ):
-            if not len(rows):
+            if not len(rows) or dim not in (None, of):
                 continue
             entities, which = np.unique(on, return_inverse=True)
             numbers = -len(families) - 1 - np.arange(len(entities))  # MED's families of elements are negative
-            families.update((int(n), [self._name(dim, tag)]) for n, tag in zip(numbers, entities))
-            cells.append((kinds[dim - 1], rows))
+            families.update((int(n), [self._name(of, tag)]) for n, tag in zip(numbers, entities))
+            cells.append((kinds[of - 1], rows))
             tags.append((on, numbers[which]))
+        entity = [on for on, _ in tags]
+        if dim is not None:
+            return meshio.Mesh(self.points, cells, cell_data={"entity": entity})
         on_vertices = np.flatnonzero(self.point_on[:, 0] == 0)
         at_point = np.zeros(len(self.points), dtype=np.int64)
         at_point[on_vertices] = np.arange(1, len(on_vertices) + 1)
@@ -125,7 +129,7 @@ class Mesh:
             self.points,
             cells,
             point_data={"point_tags": at_point},
-            cell_data={"entity": [on for on, _ in tags], "cell_tags": [family for _, family in tags]},
+            cell_data={"entity": entity, "cell_tags": [family for _, family in tags]},
         )
         mesh.cell_tags = families
         mesh.point_tags = {
