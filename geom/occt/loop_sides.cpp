@@ -9,11 +9,14 @@
 #include <Geom2d_Curve.hxx>
 #include <Geom_SphericalSurface.hxx>
 #include <Geom_ToroidalSurface.hxx>
+#include <Interface_Static.hxx>
 #include <Message_ProgressRange.hxx>
 #include <Precision.hxx>
+#include <Resource_Manager.hxx>
 #include <ShapeBuild_ReShape.hxx>
 #include <ShapeProcess_ShapeContext.hxx>
 #include <Standard_Version.hxx>
+#include <TCollection_AsciiString.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopLoc_Location.hxx>
@@ -37,6 +40,7 @@
 #include "geom/occt/holed_torus.h"
 #include "geom/occt/loose_curves.h"
 #include "geom/occt/missing_poles.h"
+#include "geom/occt/reader_repairs.h"
 #include "geom/occt/shape_measures.h"
 #include "geom/occt/sphere_loops.h"
 #include "geom/occt/sub_shapes.h"
@@ -341,6 +345,11 @@ struct KeepLoopSides::Hook : public XSAlgo_AlgoContainer {
                             const Standard_CString sequence, Handle(Standard_Transient) & info,
                             const Message_ProgressRange& progress, const Standard_Boolean non_manifold,
                             const TopAbs_ShapeEnum detail) const override {
+    if (const auto context = context_of(shape, resource, sequence, info, non_manifold, detail)) {
+      info = context;
+      repair_but_for_crossings(shape, precision, most_tolerance, *context, progress);
+      return mended(shape, context->Result(), info);
+    }
     return mended(shape,
                   XSAlgo_AlgoContainer::ProcessShape(shape, precision, most_tolerance, resource, sequence,
                                                      info, progress, non_manifold, detail),
@@ -352,12 +361,34 @@ struct KeepLoopSides::Hook : public XSAlgo_AlgoContainer {
                             const Standard_CString sequence, Handle(Standard_Transient) & info,
                             const Message_ProgressRange& progress,
                             const Standard_Boolean non_manifold) const override {
+    if (const auto context = context_of(shape, resource, sequence, info, non_manifold, TopAbs_EDGE)) {
+      info = context;
+      repair_but_for_crossings(shape, precision, most_tolerance, *context, progress);
+      return mended(shape, context->Result(), info);
+    }
     return mended(shape,
                   XSAlgo_AlgoContainer::ProcessShape(shape, precision, most_tolerance, resource, sequence,
                                                      info, progress, non_manifold),
                   info);
   }
 #endif
+
+  /// For a shape with countless sides, where nothing asks for other repairs than the reader's own; else null.
+  static Handle(ShapeProcess_ShapeContext)
+      context_of(const TopoDS_Shape& shape, Standard_CString resource, Standard_CString sequence,
+                 const Handle(Standard_Transient) & info, bool non_manifold, TopAbs_ShapeEnum detail) {
+    if (shape.IsNull() || !info.IsNull() || !has_countless_sides(shape)) return {};
+    const auto value = [](Standard_CString name) {
+      const Standard_CString set = Interface_Static::CVal(name);
+      return set != nullptr ? set : name;
+    };
+    Handle(ShapeProcess_ShapeContext) context = new ShapeProcess_ShapeContext(shape, value(resource));
+    if (context->ResourceManager()->Find((TCollection_AsciiString(value(sequence)) + ".exec.op").ToCString()))
+      return {};
+    context->SetDetalisation(detail);
+    context->SetNonManifold(non_manifold);
+    return context;
+  }
 
   /// What was read of a shape, with faces on spheres as the shape has them.
   TopoDS_Shape mended(const TopoDS_Shape& shape, const TopoDS_Shape& read,
