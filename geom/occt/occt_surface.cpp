@@ -2,6 +2,8 @@
 // A surface without closed form: B-spline, Bezier, extrusion, revolution, offset.
 #include "geom/occt/occt_surface.h"
 
+#include <Precision.hxx>
+
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -76,11 +78,12 @@ void OcctSurface::set_range(const UvCell& face_cell) {
     range_.hi[i] += kMargin * asked;
     if (periodic[i]) continue;
     // Loops may run somewhat beyond a spline's own bounds: its polynomials go on there, but not for long, and
-    // not across a pole.
-    const double below = is_collapsed(i, lo[i]) ? 0.0 : jets_.runs_on(i, 0);
-    const double above = is_collapsed(i, hi[i]) ? 0.0 : jets_.runs_on(i, 1);
-    range_.lo[i] = std::max(range_.lo[i], std::min(lo[i] - below, face_cell.lo[i]));
-    range_.hi[i] = std::min(range_.hi[i], std::max(hi[i] + above, face_cell.hi[i]));
+    // not across a pole. What has no bounds, as a hyperbola drawn out, cannot be asked there.
+    const auto beyond = [&](int side, double bound) {
+      return Precision::IsInfinite(bound) || is_collapsed(i, bound) ? 0.0 : jets_.runs_on(i, side);
+    };
+    range_.lo[i] = std::max(range_.lo[i], std::min(lo[i] - beyond(0, lo[i]), face_cell.lo[i]));
+    range_.hi[i] = std::min(range_.hi[i], std::max(hi[i] + beyond(1, hi[i]), face_cell.hi[i]));
   }
 }
 

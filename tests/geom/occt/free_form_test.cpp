@@ -2,8 +2,12 @@
 // Free-form surfaces and curves against the closed forms they stand for.
 #include <gtest/gtest.h>
 
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <GeomAPI_PointsToBSpline.hxx>
@@ -15,6 +19,7 @@
 #include <Geom_BezierSurface.hxx>
 #include <Geom_Circle.hxx>
 #include <Geom_CylindricalSurface.hxx>
+#include <Geom_Hyperbola.hxx>
 #include <Geom_OffsetSurface.hxx>
 #include <Geom_RectangularTrimmedSurface.hxx>
 #include <Geom_SphericalSurface.hxx>
@@ -25,6 +30,8 @@
 #include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array1OfPnt.hxx>
 #include <TColgp_Array2OfPnt.hxx>
+#include <TopExp.hxx>
+#include <TopoDS_Edge.hxx>
 #include <algorithm>
 #include <cmath>
 #include <gp.hxx>
@@ -214,6 +221,19 @@ Handle(Geom_BSplineCurve) wavy_arc() {
   TColgp_Array1OfPnt points(1, 7);
   for (int i = 1; i <= 7; ++i) points(i) = gp_Pnt(1.5 + 0.5 * i, 0.0, 0.5 * std::sin(1.3 * i));
   return GeomAPI_PointsToBSpline(points, 4, 6, GeomAbs_C2, 1e-6).Curve();
+}
+
+/// What lies between a branch of a hyperbola and a chord, drawn out: its surface has no bounds of its own.
+TEST(FreeForm, AHyperbolaDrawnOutIsAskedWithinItsFaceAlone) {
+  const Handle(Geom_Hyperbola) hyperbola = new Geom_Hyperbola(gp_Ax2(gp::Origin(), gp::DZ()), 1.0, 1.0);
+  const TopoDS_Edge arc = BRepBuilderAPI_MakeEdge(hyperbola, -1.0, 1.0);
+  const TopoDS_Edge chord = BRepBuilderAPI_MakeEdge(TopExp::FirstVertex(arc), TopExp::LastVertex(arc));
+  BRepBuilderAPI_MakeWire border(arc, chord);
+  const Model model = model_from_shape(
+      BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(border.Wire()).Face(), gp_Vec(0, 0, 2)).Shape());
+  EXPECT_NEAR(model.region(1).volume, 2.0 * (std::cosh(1.0) * std::sinh(1.0) - 1.0), 1e-9);
+  EXPECT_EQ(model.region_at({1.2, 0.1, 1.0}), 1);
+  EXPECT_EQ(model.region_at({0.95, 0.1, 1.0}), 0);
 }
 
 TEST(SplineSpans, EvaluateAsOcctDoes) {
