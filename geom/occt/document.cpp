@@ -35,6 +35,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "geom/occt/bounded_sweeps.h"
 #include "geom/occt/cause.h"
 #include "geom/occt/iges_loops.h"
 #include "geom/occt/labels.h"
@@ -335,6 +336,7 @@ CadDocument read_brep(const std::filesystem::path& path) {
   } catch (const std::ios_base::failure&) {
     throw InputError("BREP file " + quoted(path) + " cannot be parsed: it is damaged or truncated");
   }
+  bound_swept_hyperbolas(result.shape);
   return result;
 }
 

@@ -36,6 +36,7 @@
 #include <numbers>
 #include <optional>
 
+#include "geom/occt/bounded_sweeps.h"
 #include "geom/occt/canonical.h"
 #include "geom/occt/holed_torus.h"
 #include "geom/occt/loose_curves.h"
@@ -345,6 +346,7 @@ struct KeepLoopSides::Hook : public XSAlgo_AlgoContainer {
                             const Standard_CString sequence, Handle(Standard_Transient) & info,
                             const Message_ProgressRange& progress, const Standard_Boolean non_manifold,
                             const TopAbs_ShapeEnum detail) const override {
+    bound_swept_hyperbolas(shape);
     if (const auto context = context_of(shape, resource, sequence, info, non_manifold, detail)) {
       info = context;
       repair_but_for_crossings(shape, precision, most_tolerance, *context, progress);
@@ -361,6 +363,7 @@ struct KeepLoopSides::Hook : public XSAlgo_AlgoContainer {
                             const Standard_CString sequence, Handle(Standard_Transient) & info,
                             const Message_ProgressRange& progress,
                             const Standard_Boolean non_manifold) const override {
+    bound_swept_hyperbolas(shape);
     if (const auto context = context_of(shape, resource, sequence, info, non_manifold, TopAbs_EDGE)) {
       info = context;
       repair_but_for_crossings(shape, precision, most_tolerance, *context, progress);
