@@ -4,7 +4,8 @@ _octet() {
   local word=${COMP_WORDS[COMP_CWORD]} words
   COMPREPLY=()
   if [ "$COMP_CWORD" -eq 1 ]; then
-    words=$("${COMP_WORDS[0]}" --help | awk '/^Subcommands:/ { on = 1; next } /^$/ { on = 0 } on { print $1 }')
+    words=$("${COMP_WORDS[0]}" --help |
+      awk '/^Subcommands:/ { on = 1; next } /^$/ { on = 0 } on { print $1 }')
     words="$words --help --version"
   elif [[ $word == -* ]]; then
     words=$("${COMP_WORDS[0]}" "${COMP_WORDS[1]}" --help 2>/dev/null |

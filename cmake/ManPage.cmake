@@ -25,7 +25,8 @@ string(REGEX MATCHALL "\n  [a-z]+" commands "${commands}")
 foreach(command IN LISTS commands)
   string(STRIP "${command}" command)
   help_of(text ${command})
-  string(REGEX REPLACE "\nLengths on the command line.*" "" text "${text}")  # what the first section ends with
+  # Without what the first section ends with.
+  string(REGEX REPLACE "\nLengths on the command line.*" "" text "${text}")
   string(TOUPPER ${command} title)
   section("OCTET ${title}" "${text}")
 endforeach()

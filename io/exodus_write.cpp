@@ -5,9 +5,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <functional>
 #include <limits>
-#include <numeric>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/error.h"
@@ -152,7 +155,7 @@ void ExodusFile::blocks() {
   own.reserve(mesh_.tets.size());
   for (const auto& [entity, tets] : groups_.items) {
     if (entity.dim != 3) continue;
-    all.push_back({entity.tag, names_.at(entity), {1}, {}});
+    all.push_back({entity.tag, names_.at(entity), {tets.begin(), tets.begin() + 1}, {}});  // it is not empty
     for (const std::uint32_t tet : tets) {
       own.push_back(static_cast<std::int32_t>(tet + 1));
       place_[tet] = static_cast<std::int32_t>(own.size());
@@ -192,12 +195,12 @@ void ExodusFile::sides() {
   for (const auto& [entity, triangles] : groups_.items) {
     if (entity.dim != 2) continue;
     Members members{entity.tag, names_.at(entity), {}, {}};
-    for (const std::uint32_t i : triangles)
-      if (const auto side =
-              sides.of(mesh_.triangles[i])) {  // a triangle of no tetrahedron has no side to tell
-        members.items.push_back(place_[side->tet]);
-        members.sides.push_back(kSideWithout[side->lacking]);
-      }
+    for (const std::uint32_t i : triangles) {
+      const auto side = sides.of(mesh_.triangles[i]);
+      if (!side) continue;  // a triangle of no tetrahedron has no side to tell
+      members.items.push_back(place_[side->tet]);
+      members.sides.push_back(kSideWithout[side->lacking]);
+    }
     all.push_back(std::move(members));
   }
   declare(kSideSets, all);

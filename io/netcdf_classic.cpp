@@ -84,9 +84,6 @@ struct Header {
 void append_file_order(std::string& bytes, std::int32_t value) {
   append_word(bytes, static_cast<std::uint32_t>(value));
 }
-void append_file_order(std::string& bytes, std::int64_t value) {
-  append_word(bytes, static_cast<std::uint64_t>(value));
-}
 void append_file_order(std::string& bytes, float value) {
   append_word(bytes, std::bit_cast<std::uint32_t>(value));
 }

@@ -60,7 +60,6 @@ class NetcdfClassic {
 
 /// The value's bytes, highest first.
 void append_file_order(std::string& bytes, std::int32_t value);
-void append_file_order(std::string& bytes, std::int64_t value);
 void append_file_order(std::string& bytes, float value);
 void append_file_order(std::string& bytes, double value);
 

@@ -100,10 +100,10 @@ class Mesh:
         shutil.copyfile(self.file, path)
 
     def to_meshio(self, dim=None):
-        """A meshio.Mesh, which writes MED, XDMF and others. Its cell data `entity` are tags of model entities;
-        what MED has for groups (`cell_tags`, `point_tags`) puts the elements of each edge, face and region, and
-        the node of each vertex, into a group by its name. Where `dim` is given it has the elements of that
-        dimension alone, and `entity` for all data, as readers of XDMF want it."""
+        """A meshio.Mesh, which writes MED, XDMF and others. Its cell data `entity` are tags of model
+        entities; what MED has for groups (`cell_tags`, `point_tags`) puts the elements of each edge, face and
+        region, and the node of each vertex, into a group by its name. Where `dim` is given it has the
+        elements of that dimension alone, and `entity` for all data, as readers of XDMF want it."""
         import meshio
 
         kinds, cells, tags, families = MESHIO[self.order], [], [], {}
