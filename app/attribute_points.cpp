@@ -153,6 +153,7 @@ class AttributeLoop {
 
   /// A facet between sheets that lie on one another much nearer than its corners to each other, as at a cusp,
   /// has a corner whose partner on the other sheet is missing, or is not near enough across: it gets one.
+  /// Partners of model vertices are left to match_apexes: in assemblies of thin sheets they made walls cross.
   void match_corners(const Gap& gap) {
     if (changed(gap.tet) || changed(mesh().neighbours[gap.tet][gap.local])) return;
     std::array<VertexId, 3> corner;
@@ -161,7 +162,7 @@ class AttributeLoop {
       const Vec3 p = mesh().points[corner[i]];
       const double clear = std::min((p - mesh().points[corner[(i + 1) % 3]]).norm(),
                                     (p - mesh().points[corner[(i + 2) % 3]]).norm());
-      match_corner(corner[i], kThinGap * clear);
+      if (on_[corner[i].index()].dim > 0) match_corner(corner[i], kThinGap * clear);
     }
   }
 
