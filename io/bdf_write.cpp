@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <string>
@@ -102,22 +103,21 @@ void write_bdf(OutputFile& file, const Mesh& mesh, const ModelOutline& outline, 
   };
   file.write("$ mesh by Octet: bulk data, to be included behind BEGIN BULK\n");
   write_nodes(file, mesh, scale);
-  int most[4] = {};  // tags by dimension
   for (const auto& group : groups.items) {
     const ModelRef entity = group.first;
-    most[entity.dim] = std::max(most[entity.dim], entity.tag);
     if (entity.dim != 3) continue;
     file.write(comment(entity, "its elements"));
     file.write(fmt::format("PSOLID  {:8}{:8}\n", entity.tag, entity.tag));
     write_elements(file, mesh, entity.tag, group.second);
   }
   const FaceSides sides(mesh);
-  const int first_set[3] = {most[2] + most[1], most[2], 0};
+  const std::array<int, 3> before = before_node_sets(groups);
   for (int dim = 2; dim >= 0; --dim)
     for (const auto& [entity, items] : groups.items) {
       if (entity.dim != dim) continue;
       file.write(comment(entity, dim == 2 ? "its nodes, and a load set of unit pressure" : "its nodes"));
-      write_set(file, first_set[dim] + entity.tag, nodes_of_elements(mesh, groups, dim, items));
+      write_set(file, before[static_cast<std::size_t>(dim)] + entity.tag,
+                nodes_of_elements(mesh, groups, dim, items));
       if (dim == 2) write_pressure(file, mesh, sides, entity.tag, items);
     }
 }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -213,16 +214,16 @@ void ExodusFile::sides() {
 }
 
 void ExodusFile::nodes() {
-  int most[4] = {};  // tags by dimension
-  for (const auto& group : groups_.items)
-    most[group.first.dim] = std::max(most[group.first.dim], group.first.tag);
-  const int before[3] = {most[2] + most[1], most[2], 0};
+  const std::array<int, 3> before = before_node_sets(groups_);
   std::vector<Members> all;
   for (int dim = 2; dim >= 0; --dim)
     for (const auto& [entity, items] : groups_.items) {
       if (entity.dim != dim) continue;
       const std::vector<std::uint64_t> nodes = nodes_of_elements(mesh_, groups_, dim, items);
-      all.push_back({before[dim] + entity.tag, names_.at(entity), {nodes.begin(), nodes.end()}, {}});
+      all.push_back({before[static_cast<std::size_t>(dim)] + entity.tag,
+                     names_.at(entity),
+                     {nodes.begin(), nodes.end()},
+                     {}});
     }
   declare(kNodeSets, all);
   for (std::size_t i = 0; i < all.size(); ++i) {

@@ -169,6 +169,13 @@ std::vector<std::uint64_t> nodes_of_elements(const Mesh& mesh, const ElementGrou
   return nodes;
 }
 
+std::array<int, 3> before_node_sets(const ElementGroups& groups) {
+  int most[4] = {};  // tags by dimension
+  for (const auto& group : groups.items)
+    most[group.first.dim] = std::max(most[group.first.dim], group.first.tag);
+  return {most[2] + most[1], most[2], 0};
+}
+
 std::map<ModelRef, std::string> physical_names(const ModelOutline& outline, const ElementGroups& groups) {
   std::map<std::string, int> uses;
   for (const auto& entities : outline.entities)

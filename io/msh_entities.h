@@ -2,6 +2,7 @@
 // What the writers need: elements and nodes grouped by model entity, and physical groups by name.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -50,6 +51,10 @@ int element_nodes(const Mesh& mesh, const ElementGroups& groups, int dim, std::u
 /// Nodes of these elements of a dimension, each once, as tags from 1, ascending.
 [[nodiscard]] std::vector<std::uint64_t> nodes_of_elements(const Mesh& mesh, const ElementGroups& groups,
                                                            int dim, const std::vector<std::uint32_t>& items);
+
+/// What formats that number node sets of faces, edges and vertices alike add to the tags of vertices, edges
+/// and faces: a face keeps its tag, those of edges go on from the largest, those of vertices from there.
+[[nodiscard]] std::array<int, 3> before_node_sets(const ElementGroups& groups);
 
 /// Names of the physical groups by entity: every entity that has elements or a name is one, by its name or
 /// as `Face12`, for some readers skip what is in no group, and some take files in which all is or nothing.

@@ -156,20 +156,6 @@ NetcdfFile exodus(const Mesh& mesh, const ModelOutline& outline, double scale = 
 /// Nodes of the sides of a tetrahedron in the manual's numbers, outwards.
 constexpr int kSide[4][3] = {{1, 2, 4}, {2, 3, 4}, {1, 4, 3}, {1, 3, 2}};
 
-/// Two halves of a box along x, whose elements alternate; face 7 between them points from region 2 to 1.
-Mesh two_halves() {
-  const test::BoxPart whole = test::plain_box(Vec3(2.0, 1.0, 1.0));
-  const test::BoxPart halves{[&](const Vec3& p) {
-                               const ModelRef on = whole.on(p);
-                               if (on.dim < 3) return on;
-                               return p.x() == 1.0 ? model_face(7) : model_region(p.x() < 1.0 ? 1 : 2);
-                             },
-                             [&](ModelRef ref, const Vec3& p) {
-                               return ref == model_face(7) ? Vec3(-1, 0, 0) : whole.direction(ref, p);
-                             }};
-  return test::box_mesh(halves, Vec3(2.0, 1.0, 1.0), {2, 2, 2});
-}
-
 TEST(ExodusWrite, NodesAndElementsAreTheMeshsInItsOrder) {
   const Mesh mesh = test::plain_box_mesh(2);
   NetcdfFile file = exodus(mesh, {}, 0.5);
@@ -218,7 +204,7 @@ TEST(ExodusWrite, MiddlesStandBetweenTheirCornersInTheManualsOrder) {
 }
 
 TEST(ExodusWrite, SideSetsAreTheTrianglesOfTheirFacesInTheManualsNumbers) {
-  const Mesh mesh = two_halves();
+  const Mesh mesh = test::halved_box_mesh(2, {2, 2, 2});
   NetcdfFile file = exodus(mesh, {});
   ASSERT_EQ(file.ints("eb_prop1"), (std::vector<int>{1, 2}));
   // Elements as the file numbers them: block by block.

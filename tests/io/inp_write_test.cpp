@@ -133,17 +133,7 @@ TEST(InpWrite, SurfacesAreTheSidesThatLieOnTheirFaceInTheManualsNumbers) {
 }
 
 TEST(InpWrite, SidesOfAnInterfaceLieInTheRegionItsNormalPointsOutOf) {
-  // Two halves of a box along x; face 7 between them points from region 1 to region 2.
-  const test::BoxPart whole = test::plain_box(Vec3(2.0, 1.0, 1.0));
-  const test::BoxPart halves{[&](const Vec3& p) {
-                               const ModelRef on = whole.on(p);
-                               if (on.dim < 3) return on;
-                               return p.x() == 1.0 ? model_face(7) : model_region(p.x() < 1.0 ? 1 : 2);
-                             },
-                             [&](ModelRef ref, const Vec3& p) {
-                               return ref == model_face(7) ? Vec3(1, 0, 0) : whole.direction(ref, p);
-                             }};
-  const Mesh mesh = test::box_mesh(halves, Vec3(2.0, 1.0, 1.0), {2, 1, 1});
+  const Mesh mesh = test::halved_box_mesh(1, {2, 1, 1});
   const auto deck = deck_of(mesh, {});
   const Block* surface = block(deck, "*SURFACE, NAME=Face7, TYPE=ELEMENT");
   ASSERT_TRUE(surface != nullptr);

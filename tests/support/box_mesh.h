@@ -127,6 +127,23 @@ inline Mesh plain_box_mesh(int cells) {
   return box_mesh(plain_box(size), size, {cells, cells, cells});
 }
 
+/// Two halves along x of the box [0,2]x[0,1]x[0,1], regions 1 and 2 with elements in turns; face 7 between
+/// them points out of the region `behind`.
+inline Mesh halved_box_mesh(int behind, const std::array<int, 3>& cells) {
+  const Vec3 size(2.0, 1.0, 1.0);
+  const BoxPart whole = plain_box(size);
+  const BoxPart halves{[&](const Vec3& p) {
+                         const ModelRef on = whole.on(p);
+                         if (on.dim < 3) return on;
+                         return p.x() == 1.0 ? model_face(7) : model_region(p.x() < 1.0 ? 1 : 2);
+                       },
+                       [&](ModelRef ref, const Vec3& p) {
+                         return ref == model_face(7) ? Vec3(behind == 1 ? 1 : -1, 0, 0)
+                                                     : whole.direction(ref, p);
+                       }};
+  return box_mesh(halves, size, cells);
+}
+
 /// The outline of plain_box, with bounding relations and two names.
 inline ModelOutline plain_box_outline(const Vec3& size, bool named) {
   ModelOutline outline;
