@@ -88,6 +88,7 @@ struct Search {
   /// given up.
   std::atomic<double> elements{0.0};
   std::atomic<bool> given_up{false};
+  std::atomic<double> least{kNoSize};  ///< wish looked for, whatever the smallest size
 
   [[nodiscard]] bool is_over(double sum, double slack = 1.0) const {
     return options.budget > 0.0 && sum > slack * options.budget;
@@ -95,6 +96,11 @@ struct Search {
   void spend(double more) {
     constexpr double kForRounding = 1.000001;
     if (is_over(elements.fetch_add(more) + more, kForRounding)) given_up = true;
+  }
+  void lower_least(double wish) {
+    double now = least;
+    while (wish < now && !least.compare_exchange_weak(now, wish)) {
+    }
   }
 };
 
@@ -123,6 +129,7 @@ class WallSizer {
                        region, n,    {model_face(face), inside ? SizeReason::kWall : SizeReason::kGap}};
       const double before = elements_;
       if (look_ahead(corners, from)) probe(corners, from, 0);
+      search_.lower_least(least_);
       search_.spend(elements_ - before);
     }
   }
@@ -291,7 +298,9 @@ class WallSizer {
     const Vec3 middle = (a + b + c) / 3.0;
     const double across = octants_across(side.n);
     const double depth = thickness(middle, side, first);
-    const double wish = wishes_.floored(depth / (side.n > 1.0 ? across : side.n));
+    const double unlimited = depth / (side.n > 1.0 ? across : side.n);
+    least_ = std::min(least_, unlimited);
+    const double wish = wishes_.floored(unlimited);
     const std::array<double, 3> length{(c - b).norm(), (a - c).norm(), (b - a).norm()};
     const auto longest =
         static_cast<std::size_t>(std::max_element(length.begin(), length.end()) - length.begin());
@@ -328,6 +337,7 @@ class WallSizer {
   std::vector<std::uint32_t> listed_;  ///< of these: what its first piece may meet, then each halving's
   bool crowded_ = false;               ///< they are too many for that
   double elements_ = 0.0;              ///< for all facets looked from
+  double least_ = kNoSize;             ///< wish of theirs, whatever the smallest size
 };
 
 /// The wishes of every `stride`-th facet; none when they pass the budget.
@@ -369,12 +379,16 @@ std::vector<SizeSample> wall_sizes(const Model& model, const WallOptions& option
   share.budget *= 2.0 / kStride;
   const std::vector<Vec3> normals = sheet_normals(model);
   const std::vector<std::vector<int>> neighbours = faces_of_edges(model);
+  double least = 0.0;  // wish in the last search
   const auto search = [&](const WallOptions& with, std::size_t stride) {
     Search all{model, with, normals, neighbours};
-    return wishes_within_budget(all, stride);
+    auto samples = wishes_within_budget(all, stride);
+    least = all.least;
+    return samples;
   };
   for (;; tried.min_size *= 2.0) {
     if (tried.min_size >= options.size) return {};
+    if (tried.min_size <= least) continue;  // of what was too much nothing would change
     share.min_size = tried.min_size;
     if (model.facets().triangles.size() > kCountless && !search(share, kStride)) continue;
     if (auto samples = search(tried, 1)) return *std::move(samples);

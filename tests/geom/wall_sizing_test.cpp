@@ -104,5 +104,19 @@ TEST(WallSizing, TheBudgetRaisesTheSmallestSize) {
   for (const SizeSample& s : samples) EXPECT_GT(s.size, 0.05);
 }
 
+TEST(WallSizing, SmallestSizesBelowTheWallAreTriedOnce) {
+  constexpr double kThickness = 0.01;
+  WallOptions options = walls(1.0, 1.0);
+  options.budget = 20'000.0;
+  int searches = 0;
+  options.cancelled = [&searches] { return ++searches < 0; };
+  const auto samples = wall_sizes(analytic_box(Vec3(3, 3, kThickness)), options);
+  ASSERT_FALSE(samples.empty());
+  int above = 0;  // smallest sizes tried, from the one that fits down to the thickness
+  for (double size = samples.front().size; size > kThickness; size /= 2.0) ++above;
+  EXPECT_GT(above, 1);
+  EXPECT_EQ(searches, 1 + above);
+}
+
 }  // namespace
 }  // namespace octet
