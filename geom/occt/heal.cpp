@@ -13,6 +13,7 @@
 #include <TopoDS_Iterator.hxx>
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -29,6 +30,7 @@
 #include "geom/occt/shell_solids.h"
 #include "geom/occt/short_edges.h"
 #include "geom/occt/sphere_sides.h"
+#include "geom/occt/stray_edges.h"
 #include "geom/occt/strips.h"
 #include "geom/occt/touched_edges.h"
 #include "geom/occt/voids.h"
@@ -52,12 +54,16 @@ class Healer {
         curves_(names_, set) {}
 
   void run(const MeetingFaces& meeting) {
+    for (const TopoDS_Shape& solid : set_.solids) {
+      log_(fmt::format("looking for curves of {}", names_.solid(solid)));
+      curves_.add_to(solid);
+      curves_.renew(solid);
+      curves_.fit(solid);
+    }
+    redraw_strays();
     for (std::size_t i = 0; i < set_.solids.size(); ++i) {
       log_(fmt::format("checking {}", names_.solid(set_.solids[i])));
       volume_.reset();
-      curves_.add_to(set_.solids[i]);
-      curves_.renew(set_.solids[i]);
-      curves_.fit(set_.solids[i]);
       curves_.add_pole_edges(set_.solids[i]);
       turn_faces(set_.solids[i]);
       restore_poles(set_.solids[i]);
@@ -85,6 +91,20 @@ class Healer {
     step->AddModified(solid, by);
     set_.history->Merge(step);  // goes on from what the solid was before
     solid = by;
+  }
+
+  void redraw_strays() {
+    const std::vector<EdgeRedrawn> redrawn = redraw_stray_edges(set_.solids);
+    if (redrawn.empty()) return;
+    std::vector<TopoDS_Shape> edges;
+    double farthest = 0.0;
+    for (const auto& [edge, gap] : redrawn) {
+      edges.push_back(edge);
+      farthest = std::max(farthest, gap);
+    }
+    set_.notes.push_back(fmt::format(
+        "{} edge(s) ran up to {:.3g} mm beside their faces, and were drawn anew where these meet: {}",
+        redrawn.size(), farthest, names_.listed("Edge", 1, edges)));
   }
 
   void turn_faces(TopoDS_Shape& solid) {

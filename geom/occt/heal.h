@@ -17,7 +17,8 @@ struct HealOptions {
 
 /// Nothing is touched that is right, and each repair is one line in set.notes with its count and the first
 /// entity, numbered as read:
-///  1. edges without a curve in space, and edges without a curve on a face, get one;
+///  1. edges without a curve in space, and edges without a curve on a face, get one; edges far beside their
+///     faces are drawn anew where these meet;
 ///  2. a face that has the rest of its sphere gets its own part back, and faces of a solid that are not
 ///     turned alike are turned as their neighbours;
 ///  3. an open solid: its faces are sewn, and capped where that is asked for, where that closes it;

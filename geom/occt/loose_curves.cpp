@@ -32,6 +32,7 @@
 #include "geom/occt/curve_gaps.h"
 #include "geom/occt/curve_pieces.h"
 #include "geom/occt/shape_measures.h"
+#include "geom/occt/surface_foot.h"
 
 namespace octet {
 namespace {
@@ -41,61 +42,6 @@ constexpr double kBetter = 0.2;
 /// More pieces win nothing where the curve is off by hardly more than the edge itself is off the face.
 constexpr double kAsOff = 1.05;
 constexpr int kFewest = 8, kMost = 256;
-
-/// The ranges that surface parameters stay within; of a periodic one there is none.
-struct Bounds {
-  std::array<double, 2> low{}, high{};
-};
-
-Bounds bounds_of(const Geom_Surface& surface) {
-  Bounds bounds;
-  surface.Bounds(bounds.low[0], bounds.high[0], bounds.low[1], bounds.high[1]);
-  const std::array<bool, 2> periodic{surface.IsUPeriodic(), surface.IsVPeriodic()};
-  for (std::size_t i = 0; i < 2; ++i)
-    if (periodic[i]) {
-      bounds.low[i] = -Precision::Infinite();
-      bounds.high[i] = Precision::Infinite();
-    }
-  return bounds;
-}
-
-/// Newton's method for the foot of a point on a surface, from `uv`. At a pole the parameter that moves
-/// nothing stays.
-Vec2 foot_from(const Geom_Surface& surface, const Bounds& bounds, const Vec3& point, Vec2 uv) {
-  constexpr int kMostSteps = 20;
-  constexpr double kFlat = 1e-12, kStill = 1e-14;
-  for (int step = 0; step < kMostSteps; ++step) {
-    gp_Pnt at;
-    gp_Vec du, dv, duu, dvv, duv;
-    surface.D2(uv[0], uv[1], at, du, dv, duu, dvv, duv);
-    const Vec3 off = to_vec(at) - point;
-    const Vec3 u = to_vec(du), v = to_vec(dv);
-    const Vec2 slope(off.dot(u), off.dot(v));
-    double a = u.squaredNorm() + off.dot(to_vec(duu)), c = v.squaredNorm() + off.dot(to_vec(dvv));
-    double b = u.dot(v) + off.dot(to_vec(duv));
-    // Where the distance bends the wrong way the tangent plane leads down.
-    if (!(a > 0.0 && c > 0.0 && a * c - b * b > kFlat * a * c)) {
-      a = u.squaredNorm();
-      b = u.dot(v);
-      c = v.squaredNorm();
-    }
-    const double det = a * c - b * b;
-    Vec2 move = Vec2::Zero();
-    if (det > kFlat * std::max(a, c) * std::max(a, c))
-      move = Vec2(b * slope[1] - c * slope[0], b * slope[0] - a * slope[1]) / det;
-    else if (a > c)
-      move[0] = -slope[0] / a;
-    else if (c > 0.0)
-      move[1] = -slope[1] / c;
-    const Vec2 before = uv;
-    for (int i = 0; i < 2; ++i) {
-      const auto k = static_cast<std::size_t>(i);
-      uv[i] = std::clamp(uv[i] + move[i], bounds.low[k], bounds.high[k]);
-    }
-    if ((uv - before).norm() <= kStill * (1.0 + uv.norm())) break;
-  }
-  return uv;
-}
 
 /// Interior knots in u and in v at which a surface is not twice continuously differentiable.
 std::array<std::vector<double>, 2> rough_knots(const Geom_BSplineSurface& surface) {
@@ -240,7 +186,7 @@ class Fit {
   Handle(Geom_Curve) in_space_;
   Handle(Geom2d_Curve) on_face_;
   Handle(Geom_Surface) surface_;
-  Bounds bounds_;
+  SurfaceBounds bounds_;
   std::vector<double> breaks_;  ///< shares of the edge between which the curve is smooth
 };
 

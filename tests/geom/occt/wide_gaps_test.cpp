@@ -18,6 +18,8 @@
 namespace octet::test {
 namespace {
 
+constexpr double kGap = 0.008;  // too small a share of the box for the edge to be drawn anew
+
 /// A box of side 10 whose first edge runs `gap` beside its faces.
 TopoDS_Shape box_with_a_gap(double gap) {
   const TopoDS_Shape box = BRepPrimAPI_MakeBox(10.0, 10.0, 10.0).Shape();
@@ -35,24 +37,24 @@ TEST(WideGaps, NoneInAPartThatIsTight) {
 }
 
 TEST(WideGaps, AreThoseAboveATwentiethOfTheSizeTheWidestShareFirst) {
-  const Model model = model_from_shape(box_with_a_gap(0.1));
-  EXPECT_TRUE(wide_gaps(model, 5.0).empty());
-  const std::vector<WideGap> gaps = wide_gaps(model, 1.0);
+  const Model model = model_from_shape(box_with_a_gap(kGap));
+  EXPECT_TRUE(wide_gaps(model, 50.0 * kGap).empty());
+  const std::vector<WideGap> gaps = wide_gaps(model, 10.0 * kGap);
   ASSERT_EQ(gaps.size(), 3u);
   int edges = 0;
   for (const WideGap& gap : gaps) {
     edges += gap.entity.dim == 1 ? 1 : 0;
-    EXPECT_NEAR(gap.gap, 0.1, 0.03);
-    EXPECT_EQ(gap.local, 1.0);
+    EXPECT_NEAR(gap.gap, kGap, 0.3 * kGap);
+    EXPECT_EQ(gap.local, 10.0 * kGap);
   }
   EXPECT_EQ(edges, 1);
   for (std::size_t i = 1; i < gaps.size(); ++i) EXPECT_GE(gaps[i - 1].gap, gaps[i].gap);
 }
 
 TEST(WideGaps, AreMeasuredWhateverTheFileSays) {
-  const TopoDS_Shape box = box_with_a_gap(0.1);
+  const TopoDS_Shape box = box_with_a_gap(kGap);
   BRep_Builder().UpdateEdge(TopoDS::Edge(TopExp_Explorer(box, TopAbs_EDGE).Current()), 1e-7);
-  EXPECT_EQ(wide_gaps(model_from_shape(box), 1.0).size(), 3u);
+  EXPECT_EQ(wide_gaps(model_from_shape(box), 10.0 * kGap).size(), 3u);
 }
 
 }  // namespace
