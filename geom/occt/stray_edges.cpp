@@ -292,8 +292,12 @@ class Redrawing {
   }
 
   std::vector<EdgeRedrawn> run() {
-    // Each round leaves out what cannot be drawn, for what is beside it depends on it.
-    while (!strays_.empty() && !plan()) {
+    try {
+      // Each round leaves out what cannot be drawn, for what is beside it depends on it.
+      while (!strays_.empty() && !plan()) {
+      }
+    } catch (const Standard_Failure&) {
+      return {};  // a curve or surface that cannot be evaluated is for later stages to name
     }
     return apply();
   }
