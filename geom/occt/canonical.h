@@ -19,6 +19,7 @@ namespace octet {
 [[nodiscard]] inline Vec3 to_vec(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
 [[nodiscard]] inline Vec3 to_vec(const gp_Pnt& p) { return to_vec(p.XYZ()); }
 [[nodiscard]] inline Vec3 to_vec(const gp_Vec& v) { return to_vec(v.XYZ()); }
+[[nodiscard]] inline gp_Pnt to_pnt(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 
 /// The surface under a face; a periodic one reports (u,v) in the face's range. Its (u,v) are OCCT's own but
 /// where a closed form was recognised in a surface of another kind: from_occt_uv() leads to ours.

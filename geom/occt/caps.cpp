@@ -30,8 +30,6 @@
 namespace octet {
 namespace {
 
-gp_Pnt to_pnt(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
-
 /// A loop in a plane, counter-clockwise about its normal.
 struct PlaneLoop {
   EdgeLoop edges;

@@ -47,7 +47,6 @@ namespace {
 
 using Map = std::function<Vec2(const Vec2&)>;
 
-gp_Pnt to_point(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 gp_Dir to_direction(const Vec3& d) { return {d.x(), d.y(), d.z()}; }
 
 /// OCCT's plane, cylinder or cone of the same places at the same (u,v); null for other surfaces.
@@ -55,14 +54,14 @@ Handle(Geom_Surface) closed_form(const Surface& surface) {
   const std::string_view kind = surface.kind();
   const SurfaceJet jet = surface.evaluate(Vec2::Zero(), 2);
   if (kind == "plane")
-    return new Geom_Plane(gp_Ax3(to_point(jet.p), to_direction(jet.du.cross(jet.dv)), to_direction(jet.du)));
+    return new Geom_Plane(gp_Ax3(to_pnt(jet.p), to_direction(jet.du.cross(jet.dv)), to_direction(jet.du)));
   if (kind != "cylinder" && kind != "cone") return {};
   // Both turn about z, from x on.
   const double radius = jet.du.norm();
   const Vec3 x = -jet.duu.normalized();
   const double rise = jet.dv.dot(x);
   const Vec3 z = (jet.dv - rise * x).normalized();
-  gp_Ax3 axes(to_point(jet.p - radius * x), to_direction(z), to_direction(x));
+  gp_Ax3 axes(to_pnt(jet.p - radius * x), to_direction(z), to_direction(x));
   if (jet.du.dot(to_vec(gp_Vec(axes.YDirection()))) < 0.0) axes.YReverse();
   if (kind == "cylinder") return new Geom_CylindricalSurface(axes, radius);
   return new Geom_ConicalSurface(axes, std::asin(rise), radius);

@@ -52,8 +52,6 @@ constexpr double kWide = 4.0;
 constexpr int kFewest = 16, kMost = 1024;
 constexpr int kMostSteps = 40;
 
-gp_Pnt to_point(const Vec3& p) { return {p[0], p[1], p[2]}; }
-
 /// A surface and where on it a point's foot was last.
 struct Footing {
   Handle(Geom_Surface) surface;
@@ -228,7 +226,7 @@ class Drawing {
       before = *point;
       old_before = old;
       parameters->SetValue(i + 1, t);
-      points->SetValue(i + 1, to_point(*point));
+      points->SetValue(i + 1, to_pnt(*point));
       for (std::size_t k = 0; k < 2; ++k) uv[k]->SetValue(i + 1, gp_Pnt2d(sheets[k].uv[0], sheets[k].uv[1]));
     }
     try {
@@ -448,7 +446,7 @@ class Redrawing {
     const BRep_Builder builder;
     const double tolerance = Precision::Confusion();
     for (const auto& [v, place] : places_)
-      builder.UpdateVertex(TopoDS::Vertex(edges_at_.FindKey(v)), to_point(place), tolerance);
+      builder.UpdateVertex(TopoDS::Vertex(edges_at_.FindKey(v)), to_pnt(place), tolerance);
     for (std::size_t i = 0; i < drawn_.size(); ++i) {
       const Stray& stray = strays_[i];
       builder.UpdateEdge(stray.edge, drawn_[i].in_space, tolerance);
