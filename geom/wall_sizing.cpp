@@ -88,7 +88,7 @@ struct Search {
   /// given up.
   std::atomic<double> elements{0.0};
   std::atomic<bool> given_up{false};
-  std::atomic<double> least{kNoSize};  ///< wish looked for, whatever the smallest size
+  std::atomic<double> least{kNoSize};  ///< wish so far, before the smallest size raises it
 
   [[nodiscard]] bool is_over(double sum, double slack = 1.0) const {
     return options.budget > 0.0 && sum > slack * options.budget;
@@ -337,7 +337,7 @@ class WallSizer {
   std::vector<std::uint32_t> listed_;  ///< of these: what its first piece may meet, then each halving's
   bool crowded_ = false;               ///< they are too many for that
   double elements_ = 0.0;              ///< for all facets looked from
-  double least_ = kNoSize;             ///< wish of theirs, whatever the smallest size
+  double least_ = kNoSize;             ///< wish of theirs, before the smallest size raises it
 };
 
 /// The wishes of every `stride`-th facet; none when they pass the budget.

@@ -272,8 +272,8 @@ class Drawing {
   std::array<Handle(Geom2d_Curve), 2> on_face_;
 };
 
-/// The part of its curve that an edge which is not redrawn is to have.
-struct Part {
+/// The range of its curve that an edge which is not redrawn is to have.
+struct Trimmed {
   TopoDS_Edge edge;
   std::array<double, 2> range{};
 };
@@ -350,7 +350,7 @@ class Redrawing {
   /// False when strays had to be left out.
   bool plan() {
     places_.clear();
-    parts_.clear();
+    trimmed_.clear();
     drawn_.clear();
     std::map<int, std::array<double, 2>> ends;  // gap and what is allowed, by vertex
     for (const Stray& stray : strays_)
@@ -363,7 +363,7 @@ class Redrawing {
       if (v == 0 || !place(v, end[0], end[1])) return leave_out_at(v);
     for (const auto& [v, end] : ends)
       for (const TopoDS_Shape& shape : edges_at_(v))
-        if (!is_stray(TopoDS::Edge(shape)) && !fit_part(TopoDS::Edge(shape), end[1])) return leave_out_at(v);
+        if (!is_stray(TopoDS::Edge(shape)) && !trim(TopoDS::Edge(shape), end[1])) return leave_out_at(v);
     for (std::size_t i = 0; i < strays_.size(); ++i) {
       const auto [first, last] = ends_of(strays_[i].edge);
       const std::optional<Drawn> drawn = Drawing(strays_[i], places_.at(first), places_.at(last)).best();
@@ -412,11 +412,11 @@ class Redrawing {
   }
 
   /// Ends an edge that stays where its vertices are to be; false where its curves do not go there.
-  bool fit_part(const TopoDS_Edge& given, double apart) {
+  bool trim(const TopoDS_Edge& given, double apart) {
     const TopoDS_Edge edge = TopoDS::Edge(given.Oriented(TopAbs_FORWARD));
-    Part part{edge, {}};
-    const auto curve = BRep_Tool::Curve(edge, part.range[0], part.range[1]);
-    const std::array<double, 2> old = part.range;
+    Trimmed trimmed{edge, {}};
+    const auto curve = BRep_Tool::Curve(edge, trimmed.range[0], trimmed.range[1]);
+    const std::array<double, 2> old = trimmed.range;
     const std::array<int, 2> ends = ends_of(edge);
     for (std::size_t i = 0; i < 2; ++i) {
       const auto place = places_.find(ends[i]);
@@ -425,18 +425,19 @@ class Redrawing {
       if ((track.foot() - place->second).norm() <= Precision::Confusion()) continue;  // it ends there
       track.follow(place->second);
       if ((track.foot() - place->second).norm() > apart) return false;
-      part.range[i] = track.t;
+      trimmed.range[i] = track.t;
     }
-    const double length = old[1] - old[0], now = part.range[1] - part.range[0];
+    const double length = old[1] - old[0], now = trimmed.range[1] - trimmed.range[0];
     if (!(now > 0.5 * length && now < 2.0 * length)) return false;
     for (const TopoDS_Shape& face : faces_at_.FindFromKey(edge)) {
       double s0 = 0.0, s1 = 0.0;
       const auto on_face = BRep_Tool::CurveOnSurface(edge, TopoDS::Face(face), s0, s1);
       if (on_face.IsNull() || s0 != old[0] || s1 != old[1]) return false;
       if (on_face->IsPeriodic()) continue;
-      if (part.range[0] < on_face->FirstParameter() || part.range[1] > on_face->LastParameter()) return false;
+      if (trimmed.range[0] < on_face->FirstParameter() || trimmed.range[1] > on_face->LastParameter())
+        return false;
     }
-    parts_.push_back(part);
+    trimmed_.push_back(trimmed);
     return true;
   }
 
@@ -456,9 +457,9 @@ class Redrawing {
       redrawn.push_back({stray.edge, stray.gap});
       touched.push_back(stray.edge);
     }
-    for (const Part& part : parts_) {
-      builder.Range(part.edge, part.range[0], part.range[1]);
-      touched.push_back(part.edge);
+    for (const Trimmed& trimmed : trimmed_) {
+      builder.Range(trimmed.edge, trimmed.range[0], trimmed.range[1]);
+      touched.push_back(trimmed.edge);
     }
     if (!touched.empty()) lower_tolerances(all_, touched);
     return redrawn;
@@ -468,7 +469,7 @@ class Redrawing {
   TopTools_IndexedDataMapOfShapeListOfShape faces_at_, edges_at_;
   std::vector<Stray> strays_;
   Places places_;
-  std::vector<Part> parts_;
+  std::vector<Trimmed> trimmed_;
   std::vector<Drawn> drawn_;  ///< of the strays
 };
 
