@@ -120,7 +120,10 @@ int run_mesh(const MeshCommand& command) {
   if (!command.format.empty() && command.outputs.size() > 1)
     throw InputError("--format is for one output; of several, the suffix of each tells");
   std::vector<MeshFormat> formats;
-  for (const fs::path& output : command.outputs) formats.push_back(mesh_format(output, command.format));
+  for (const fs::path& output : command.outputs) {
+    formats.push_back(mesh_format(output, command.format));
+    check_order(formats.back(), command.order);
+  }
   check_outputs(command);
   const tbb::global_control most_threads(tbb::global_control::max_allowed_parallelism,
                                          static_cast<std::size_t>(options.threads));

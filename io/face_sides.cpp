@@ -7,19 +7,15 @@
 #include <vector>
 
 namespace octet {
-namespace {
 
-/// Faces whose vertices all lie on the boundary are the only ones that can be asked for.
-FaceUses boundary_uses(const Mesh& mesh) {
+FaceUses boundary_face_uses(const Mesh& mesh) {
   std::vector<std::uint8_t> on_boundary(mesh.points.size(), 0);
   for (const auto& triangle : mesh.triangles)
     for (const Mesh::Index v : triangle) on_boundary[v] = 1;
   return {mesh, on_boundary};
 }
 
-}  // namespace
-
-FaceSides::FaceSides(const Mesh& mesh) : mesh_(mesh), uses_(boundary_uses(mesh)) {}
+FaceSides::FaceSides(const Mesh& mesh) : mesh_(mesh), uses_(boundary_face_uses(mesh)) {}
 
 std::optional<TetSide> FaceSides::of(const std::array<Mesh::Index, 3>& triangle) const {
   const auto uses = uses_.find(triangle);

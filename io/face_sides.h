@@ -16,6 +16,9 @@ struct TetSide {
   std::size_t lacking = 0;
 };
 
+/// Faces of tetrahedra between vertices of the mesh's triangles: the only ones that can lie on model faces.
+[[nodiscard]] FaceUses boundary_face_uses(const Mesh& mesh);
+
 /// Looks up the sides that the mesh's triangles are.
 class FaceSides {
  public:

@@ -13,15 +13,18 @@
 #include "io/bdf_write.h"
 #include "io/exodus_write.h"
 #include "io/inp_write.h"
+#include "io/medit_write.h"
 #include "io/msh_write.h"
 #include "io/output_file.h"
+#include "io/su2_write.h"
 #include "io/unv_write.h"
 #include "io/vtu_write.h"
 
 namespace octet {
 namespace {
 
-constexpr const char* kNames = "msh, msh41, msh41-ascii, msh22, msh22-ascii, vtu, inp, unv, bdf, exodus";
+constexpr const char* kNames =
+    "msh, msh41, msh41-ascii, msh22, msh22-ascii, vtu, inp, unv, bdf, exodus, medit, medit-binary, su2";
 
 std::string lower_case(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
@@ -43,6 +46,9 @@ MeshFormat mesh_format(const std::filesystem::path& path, const std::string& nam
     if (wanted == "unv") return MeshFormat::kUnv;
     if (wanted == "bdf") return MeshFormat::kBdf;
     if (wanted == "exodus") return MeshFormat::kExodus;
+    if (wanted == "medit") return MeshFormat::kMedit;
+    if (wanted == "medit-binary") return MeshFormat::kMeditBinary;
+    if (wanted == "su2") return MeshFormat::kSu2;
     throw InputError(fmt::format("unknown mesh format \"{}\"; known are {}", name, kNames));
   }
   const std::string suffix = lower_case(path.extension().string());
@@ -52,9 +58,18 @@ MeshFormat mesh_format(const std::filesystem::path& path, const std::string& nam
   if (suffix == ".unv") return MeshFormat::kUnv;
   if (suffix == ".bdf" || suffix == ".nas") return MeshFormat::kBdf;
   if (suffix == ".exo" || suffix == ".e") return MeshFormat::kExodus;
+  if (suffix == ".mesh") return MeshFormat::kMedit;
+  if (suffix == ".meshb") return MeshFormat::kMeditBinary;
+  if (suffix == ".su2") return MeshFormat::kSu2;
   throw InputError(
-      fmt::format("\"{}\" ends in none of .msh, .vtu, .inp, .unv, .bdf and .exo: name the format ({})",
+      fmt::format("\"{}\" ends in none of .msh, .vtu, .inp, .unv, .bdf, .exo, .mesh, .meshb and .su2: name "
+                  "the format ({})",
                   path.string(), kNames));
+}
+
+void check_order(MeshFormat format, int order) {
+  if (format == MeshFormat::kSu2 && order > 1)
+    throw InputError("a .su2 file has no elements of second order: use --order 1");
 }
 
 void write_mesh(const std::filesystem::path& path, const Mesh& mesh, const ModelOutline& outline,
@@ -90,6 +105,15 @@ void write_mesh(const std::filesystem::path& path, const Mesh& mesh, const Model
       break;
     case MeshFormat::kExodus:
       write_exodus(file, mesh, outline, options.scale);
+      break;
+    case MeshFormat::kMedit:
+      write_medit(file, mesh, outline, Encoding::kAscii, options.scale);
+      break;
+    case MeshFormat::kMeditBinary:
+      write_medit(file, mesh, outline, Encoding::kBinary, options.scale);
+      break;
+    case MeshFormat::kSu2:
+      write_su2(file, mesh, outline, options.scale);
       break;
   }
   file.commit();

@@ -19,18 +19,23 @@ enum class MeshFormat {
   kInp,
   kUnv,
   kBdf,
-  kExodus
+  kExodus,
+  kMedit,
+  kMeditBinary,
+  kSu2
 };
 
 struct WriteOptions {
   double scale = 1.0;  ///< multiplies coordinates: model units (millimetre) to the unit asked for
 };
 
-/// Format for a path by its suffix (.msh: MSH 4.1 binary, .vtu, .inp, .unv, .bdf or .nas, .exo or .e);
-/// `name` is the user's --format or empty: msh (=msh41), msh41, msh41-ascii, msh22, msh22-ascii, vtu, inp,
-/// unv, bdf, exodus.
+/// Format for a path by its suffix (.msh: MSH 4.1 binary, .vtu, .inp, .unv, .bdf or .nas, .exo or .e, .mesh,
+/// .meshb, .su2); `name` is the user's --format or empty: msh (=msh41), msh41, msh41-ascii, msh22,
+/// msh22-ascii, vtu, inp, unv, bdf, exodus, medit, medit-binary, su2.
 /// InputError when neither tells.
 [[nodiscard]] MeshFormat mesh_format(const std::filesystem::path& path, const std::string& name);
+/// InputError when the format has no elements of that order.
+void check_order(MeshFormat format, int order);
 
 /// Writes to a temporary name beside `path` and renames when whole. OutputError (with the reason) leaves no
 /// file. Same mesh, same bytes.

@@ -111,6 +111,7 @@ TEST(BadSize, MoreElementsThanAllowedAreRefusedBeforeTheyAreMade) {
 TEST(BadUse, UnknownUnitFormatAndOptionAreRefused) {
   expect_bad_options({"--unit", "parsec"}, "parsec");
   expect_bad_options({"--format", "stl"}, "stl");
+  expect_bad_options({"--format", "su2", "--order", "2"}, "su2");
   expect_bad_options({"--frobnicate"}, "--frobnicate");
   expect_bad_options({"--threads", "0"}, "--threads");
 }
