@@ -220,12 +220,17 @@ class Run {
       faults.insert(faults.begin(), fault_of_coarseness(plan_.asked, frame_.to_part(model_.box().centre())));
   }
 
-  /// Points nearer to each other than is good for elements, for the gaps that nothing else closes.
+  /// Points nearer to each other than is good for elements, for the gaps that nothing else closes. About a
+  /// boundary that is known to cross itself they may open more gaps each time, where it is seen in more
+  /// detail.
   void close_below_floor() {
     if (hopeless_) return;
+    std::size_t fewest = band_->closed.gaps.size();
     for (const double share : kLastFloorShares) {
       const std::size_t gaps = band_->closed.gaps.size();
       if (gaps == 0 || gaps > kHopelessGaps) return;
+      if (!crossings_.empty() && gaps > 2 * fewest) return;
+      fewest = std::min(fewest, gaps);
       observer_.note(fmt::format("{} gaps left: points may be nearer to each other", gaps));
       close_attempt(*band_, share);
     }
