@@ -121,7 +121,6 @@ int Band::region_beside(const TetMesh& mesh, TetId t, const EdgePiece& piece) co
 
 Band::Voice Band::voice_of(const TetMesh& mesh, std::span<const ModelRef> on, const EdgeChains& chains,
                            TetId t) const {
-  const auto& v = mesh.tets[t];
   const Circumcentre c = circumcentre(mesh, t);
   Voice voice{c.reliable ? region_of_(c.point) : kNowhere, {}};
   for (std::size_t e = 0; e < voice.beside.size(); ++e) {

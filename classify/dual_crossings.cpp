@@ -20,7 +20,6 @@ struct DualEnd {
 
 DualEnd dual_end(const TetMesh& mesh, TetId tet, const Vec3& fallback) {
   if (!mesh.ghost(tet)) {
-    const auto& v = mesh.tets[tet];
     const Circumcentre c = circumcentre(mesh, tet);
     if (c.reliable) return {c.point, true};
   }
