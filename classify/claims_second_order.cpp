@@ -127,9 +127,10 @@ bool all_have(ClaimBuilder& claim, const Mesh& mesh, const Elements& elements,
 bool numbers_hold(ClaimBuilder& claim, const Mesh& mesh) {
   const MidNodes& mid = mesh.mid;
   OCTET_CHECK(mid.on.size() == mid.points.size() && mid.between.size() == mid.points.size());
-  return all_have(claim, mesh, mesh.edges, mesh.edge_on, 1, mid.of_edges) &
-         all_have(claim, mesh, mesh.triangles, mesh.triangle_on, 2, mid.of_triangles) &
-         all_have(claim, mesh, mesh.tets, mesh.tet_in, 3, mid.of_tets);
+  const bool edges = all_have(claim, mesh, mesh.edges, mesh.edge_on, 1, mid.of_edges);
+  const bool triangles = all_have(claim, mesh, mesh.triangles, mesh.triangle_on, 2, mid.of_triangles);
+  const bool tets = all_have(claim, mesh, mesh.tets, mesh.tet_in, 3, mid.of_tets);
+  return edges && triangles && tets;
 }
 
 }  // namespace
