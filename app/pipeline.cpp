@@ -38,8 +38,9 @@ namespace {
 
 /// How often octants are subdivided where gaps survive, and how often in a row without fewer gaps where the
 /// tree has more octants than a moment's work; the last few gaps are tried on, for it is chance that leaves
-/// one more or less.
+/// one more or less. Of many it is chance, too, that leaves a tenth more or less.
 constexpr int kSubdivisions = 6, kPatience = 2;
+constexpr double kFewerGaps = 0.9;
 constexpr std::size_t kCheapTree = 20'000, kFewGaps = 10;
 /// A mesh with more gaps than points on the boundary is too coarse nearly everywhere, by more than a factor
 /// of two: in a large tree smaller octants at all of them, again and again, take hours and as much memory as
@@ -185,10 +186,15 @@ class Run {
   /// Points, triangulation, attribute points; where gaps survive, their octants are subdivided and the band
   /// is made anew. The attempt with the fewest gaps is kept.
   void mesh_band(Octree tree) {
+    std::pair<bool, std::size_t> mark;
     for (int depth = 0, best = 0;; ++depth) {
       auto next = attempt(std::move(tree));
-      const bool better = !band_ || openness(next->closed) < openness(band_->closed);
-      if (better) best = depth;
+      const std::pair<bool, std::size_t> open = openness(next->closed);
+      const bool better = !band_ || open < openness(band_->closed);
+      if (depth == 0 || clearly_less(open, mark)) {
+        mark = open;
+        best = depth;
+      }
       std::optional<Octree> finer;
       too_coarse_ = next->closed.gaps.size() > most_gaps(*next);
       hopeless_ = too_coarse_ || (!crossings_.empty() && crosses_all_over(*next));
@@ -270,6 +276,12 @@ class Run {
     const bool no_edges = std::any_of(closed.gaps.begin(), closed.gaps.end(),
                                       [](const Gap& gap) { return gap.kind == GapKind::kMissingPiece; });
     return {no_edges, closed.gaps.size()};
+  }
+
+  [[nodiscard]] static bool clearly_less(const std::pair<bool, std::size_t>& a,
+                                         const std::pair<bool, std::size_t>& b) {
+    if (a.first != b.first) return b.first;
+    return static_cast<double>(a.second) < kFewerGaps * static_cast<double>(b.second);
   }
 
   [[nodiscard]] double finest_octant() const { return plan_.min_size / kEdgePerOctant; }
