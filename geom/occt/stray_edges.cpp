@@ -291,8 +291,9 @@ class Redrawing {
 
   std::vector<EdgeRedrawn> run() {
     try {
-      // Each round leaves out what cannot be drawn, for what is beside it depends on it.
-      while (!strays_.empty() && !plan()) {
+      // Each round leaves out what cannot be drawn, for what is beside it depends on it; with none left the
+      // plan is empty.
+      while (!plan()) {
       }
     } catch (const Standard_Failure&) {
       return {};  // a curve or surface that cannot be evaluated is for later stages to name

@@ -11,6 +11,8 @@
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom2d_Curve.hxx>
+#include <Geom2d_TrimmedCurve.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_Circle.hxx>
 #include <Geom_Curve.hxx>
@@ -163,6 +165,40 @@ TEST(StrayEdges, OfFacesThatAreTangentStay) {
   const double gap = widest_curve_gap(shape);
   EXPECT_TRUE(redraw_stray_edges({shape}).empty());
   EXPECT_EQ(widest_curve_gap(shape), gap);
+}
+
+/// An edge at one of its ends that ends short of the corner, and whose curves on its faces go no farther: it
+/// cannot follow, so that all stays.
+TEST(StrayEdges, WhoseNeighbourCannotFollowStayWithTheirVertices) {
+  const TopoDS_Shape shape = box();
+  const TopoDS_Edge stray = edges_of(shape).front();
+  const TopoDS_Vertex corner = TopExp::FirstVertex(stray);
+  for (const TopoDS_Edge& edge : edges_of(shape)) {
+    const bool begins = TopExp::FirstVertex(edge).IsSame(corner);
+    if (edge.IsSame(stray) || !(begins || TopExp::LastVertex(edge).IsSame(corner))) continue;
+    double first = 0.0, last = 0.0;
+    BRep_Tool::Range(edge, first, last);
+    (begins ? first : last) += begins ? kGap : -kGap;
+    const BRep_Builder builder;
+    for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next()) {
+      double from = 0.0, to = 0.0;
+      const Handle(Geom2d_Curve) curve =
+          BRep_Tool::CurveOnSurface(edge, TopoDS::Face(face.Current()), from, to);
+      if (!curve.IsNull())
+        builder.UpdateEdge(edge, new Geom2d_TrimmedCurve(curve, first, last), TopoDS::Face(face.Current()),
+                           2.0 * kGap);
+    }
+    builder.Range(edge, first, last);
+    break;
+  }
+  move_edge(stray, gp_Vec(kGap, kGap, kGap));
+  std::vector<gp_Pnt> before;
+  for (const TopoDS_Edge& edge : edges_of(shape)) before.push_back(BRep_Tool::Pnt(TopExp::FirstVertex(edge)));
+  EXPECT_TRUE(redraw_stray_edges({shape}).empty());
+  for (const TopoDS_Edge& edge : edges_of(shape)) {
+    EXPECT_EQ(BRep_Tool::Pnt(TopExp::FirstVertex(edge)).Distance(before.front()), 0.0);
+    before.erase(before.begin());
+  }
 }
 
 TEST(StrayEdges, ThatAreNearEnoughStay) {
