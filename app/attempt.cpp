@@ -276,6 +276,18 @@ std::optional<Octree> subdivide_at(const Octree& tree, const std::vector<Vec3>& 
   return std::move(subdivision).tree();
 }
 
+Openness openness(const std::vector<Gap>& gaps) {
+  const bool lacks_pieces = std::any_of(gaps.begin(), gaps.end(),
+                                        [](const Gap& gap) { return gap.kind == GapKind::kMissingPiece; });
+  return {lacks_pieces, gaps.size()};
+}
+
+bool clearly_less(const Openness& a, const Openness& b) {
+  constexpr double kFewer = 0.9;
+  if (a.lacks_pieces != b.lacks_pieces) return b.lacks_pieces;
+  return static_cast<double>(a.gaps) < kFewer * static_cast<double>(b.gaps);
+}
+
 bool crosses_all_over(const Attempt& attempt) {
   constexpr std::size_t kPointsPerConflict = 20;
   return attempt.closed.gaps.size() > kHopelessGaps ||

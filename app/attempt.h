@@ -2,6 +2,8 @@
 // One tree and all that was made on it up to the classified band; a finer tree is a new attempt.
 #pragma once
 
+#include <compare>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -65,6 +67,16 @@ inline constexpr std::size_t kHopelessGaps = 1000;
 /// whose walls cross left one gap, at which octants were subdivided for many minutes, before a look at the
 /// faces found them everywhere).
 [[nodiscard]] bool crosses_all_over(const Attempt& attempt);
+
+/// How many holes an attempt left. Facets are not looked at while edges lack pieces, so that says the most.
+struct Openness {
+  bool lacks_pieces = false;
+  std::size_t gaps = 0;
+  auto operator<=>(const Openness&) const = default;
+};
+[[nodiscard]] Openness openness(const std::vector<Gap>& gaps);
+/// By more than a tenth, which chance does not leave.
+[[nodiscard]] bool clearly_less(const Openness& a, const Openness& b);
 
 /// Looks at facets, too, where edges lack pieces: all gaps, in place of the pieces alone.
 void find_all_gaps(Attempt& attempt);

@@ -22,6 +22,7 @@
 #include "app/size_options.h"
 #include "base/error.h"
 #include "geom/closest_word.h"
+#include "io/write.h"
 
 namespace octet {
 namespace {
@@ -78,10 +79,9 @@ void add_order(CLI::App& sub, int& order, const char* none_given) {
 
 /// What `mesh` and `adapt` have alike.
 void add_meshing(CLI::App& sub, MeshCommand& mesh) {
-  sub.add_option("-o,--output", mesh.outputs,
-                 "Mesh file to write (.msh, .vtu, .inp, .unv, .bdf, .exo, .mesh, .meshb or .su2), may be "
-                 "repeated: the "
-                 "same mesh in each")
+  sub.add_option(
+         "-o,--output", mesh.outputs,
+         fmt::format("Mesh file to write ({}), may be repeated: the same mesh in each", mesh_suffixes()))
       ->required()
       ->type_name("FILE")
       ->allow_extra_args(false)
@@ -89,11 +89,7 @@ void add_meshing(CLI::App& sub, MeshCommand& mesh) {
   add_size_options(sub, mesh.sizes);
   add_order(sub, mesh.order, "1");
   sub.add_option("--unit", mesh.unit, kUnitHelp)->type_name("UNIT");
-  sub.add_option(
-         "--format", mesh.format,
-         "msh41, msh41-ascii, msh22, msh22-ascii, vtu, inp, unv, bdf, exodus, medit, medit-binary, su2 "
-         "(default: by suffix)")
-      ->type_name("FORMAT");
+  sub.add_option("--format", mesh.format, mesh_format_names() + " (default: by suffix)")->type_name("FORMAT");
   sub.add_option("--threads", mesh.threads, "Threads; any number gives the same bytes (default: all cores)")
       ->type_name("N");
   sub.add_option("--max-elements", mesh.max_elements, "Refuse what needs more elements (default: 20000000)")
@@ -203,18 +199,14 @@ void add_improve(CLI::App& app, ImproveCommand& improve) {
       *app.add_subcommand("improve", "Better shapes for a classified mesh of the part, from any mesher");
   sub.add_option("mesh", improve.mesh, "MSH or VTU file")->required()->type_name("FILE");
   sub.add_option("part", improve.part, "STEP, IGES or BREP file")->required()->type_name("FILE");
-  sub.add_option("-o,--output", improve.output,
-                 "Mesh file to write (.msh, .vtu, .inp, .unv, .bdf, .exo, .mesh, .meshb or .su2)")
+  sub.add_option("-o,--output", improve.output, fmt::format("Mesh file to write ({})", mesh_suffixes()))
       ->required()
       ->type_name("FILE");
   sub.add_option("--size", improve.size, "Edge length wished for everywhere (default: as the mesh is around)")
       ->type_name("LENGTH");
   sub.add_option("--unit", improve.unit, std::string("Unit of the mesh files: ") + kUnitHelp)
       ->type_name("UNIT");
-  sub.add_option(
-         "--format", improve.format,
-         "msh41, msh41-ascii, msh22, msh22-ascii, vtu, inp, unv, bdf, exodus, medit, medit-binary, su2 "
-         "(default: by suffix)")
+  sub.add_option("--format", improve.format, mesh_format_names() + " (default: by suffix)")
       ->type_name("FORMAT");
   add_order(sub, improve.order, "the mesh's");
   sub.add_option("--threads", improve.threads,

@@ -38,9 +38,8 @@ namespace {
 
 /// How often octants are subdivided where gaps survive, and how often in a row without fewer gaps where the
 /// tree has more octants than a moment's work; the last few gaps are tried on, for it is chance that leaves
-/// one more or less. Of many it is chance, too, that leaves a tenth more or less.
+/// one more or less.
 constexpr int kSubdivisions = 6, kPatience = 2;
-constexpr double kFewerGaps = 0.9;
 constexpr std::size_t kCheapTree = 20'000, kFewGaps = 10;
 /// A mesh with more gaps than points on the boundary is too coarse nearly everywhere, by more than a factor
 /// of two: in a large tree smaller octants at all of them, again and again, take hours and as much memory as
@@ -186,12 +185,12 @@ class Run {
   /// Points, triangulation, attribute points; where gaps survive, their octants are subdivided and the band
   /// is made anew. The attempt with the fewest gaps is kept.
   void mesh_band(Octree tree) {
-    std::pair<bool, std::size_t> mark;
+    std::optional<Openness> mark;
     for (int depth = 0, best = 0;; ++depth) {
       auto next = attempt(std::move(tree));
-      const std::pair<bool, std::size_t> open = openness(next->closed);
-      const bool better = !band_ || open < openness(band_->closed);
-      if (depth == 0 || clearly_less(open, mark)) {
+      const Openness open = openness(next->closed.gaps);
+      const bool better = !band_ || open < openness(band_->closed.gaps);
+      if (!mark || clearly_less(open, *mark)) {
         mark = open;
         best = depth;
       }
@@ -227,16 +226,14 @@ class Run {
   }
 
   /// Points nearer to each other than is good for elements, for the gaps that nothing else closes. About a
-  /// boundary that is known to cross itself they may open more gaps each time, where it is seen in more
-  /// detail.
+  /// boundary that is known to cross itself they open the more gaps the nearer they are.
   void close_below_floor() {
     if (hopeless_) return;
-    std::size_t fewest = band_->closed.gaps.size();
+    std::size_t most = kHopelessGaps;
     for (const double share : kLastFloorShares) {
       const std::size_t gaps = band_->closed.gaps.size();
-      if (gaps == 0 || gaps > kHopelessGaps) return;
-      if (!crossings_.empty() && gaps > 2 * fewest) return;
-      fewest = std::min(fewest, gaps);
+      if (gaps == 0 || gaps > most) return;
+      if (!crossings_.empty()) most = std::min(most, 2 * gaps);
       observer_.note(fmt::format("{} gaps left: points may be nearer to each other", gaps));
       close_attempt(*band_, share);
     }
@@ -269,19 +266,6 @@ class Run {
   [[nodiscard]] static std::size_t most_gaps(const Attempt& attempt) {
     return attempt.tree.size() > kLargeTree ? attempt.surface_points
                                             : std::numeric_limits<std::size_t>::max();
-  }
-
-  /// How many holes an attempt left; facets are not looked at while edges lack pieces, so that says the most.
-  [[nodiscard]] static std::pair<bool, std::size_t> openness(const AttributeResult& closed) {
-    const bool no_edges = std::any_of(closed.gaps.begin(), closed.gaps.end(),
-                                      [](const Gap& gap) { return gap.kind == GapKind::kMissingPiece; });
-    return {no_edges, closed.gaps.size()};
-  }
-
-  [[nodiscard]] static bool clearly_less(const std::pair<bool, std::size_t>& a,
-                                         const std::pair<bool, std::size_t>& b) {
-    if (a.first != b.first) return b.first;
-    return static_cast<double>(a.second) < kFewerGaps * static_cast<double>(b.second);
   }
 
   [[nodiscard]] double finest_octant() const { return plan_.min_size / kEdgePerOctant; }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <iterator>
 #include <limits>
 #include <string>
@@ -144,14 +145,15 @@ class MeditFile {
   std::size_t at_ = 0;  ///< where in a binary file
 };
 
-/// Version 2 ends where places of four bytes do.
-bool needs_wide_places(const Mesh& mesh) {
-  constexpr std::size_t kHeads = 1024, kMost = std::numeric_limits<std::int32_t>::max() - kHeads;
+/// No fewer than a binary file has.
+std::size_t bytes_at_most(const Mesh& mesh) {
+  constexpr std::size_t kHeads = 1024;
   const bool second = !mesh.mid.empty();
+  // A node has a reference, and may be a corner.
   const std::size_t integers = 2 * node_count(mesh) + mesh.edges.size() * (second ? 4 : 3) +
                                mesh.triangles.size() * (second ? 7 : 4) +
                                mesh.tets.size() * (second ? 11 : 5);
-  return node_count(mesh) * 3 * sizeof(double) + integers * sizeof(std::int32_t) > kMost;
+  return kHeads + node_count(mesh) * 3 * sizeof(double) + integers * sizeof(std::int32_t);
 }
 
 void write_elements(MeditFile& file, const Mesh& mesh, const ElementGroups& groups, int dim,
@@ -161,8 +163,7 @@ void write_elements(MeditFile& file, const Mesh& mesh, const ElementGroups& grou
   const std::size_t nodes = kNodes[second ? 1 : 0][dim];
   file.section(kElements[second ? 1 : 0][dim], tags.size(), nodes + 1, 0, [&](std::size_t i, Items& items) {
     std::uint64_t own[kMostNodes];
-    element_nodes(mesh, groups, dim, static_cast<std::uint32_t>(i), own);
-    if (second && dim == 3) std::swap(own[8], own[9]);  // MSH has these two the other way round
+    element_nodes(mesh, groups, dim, static_cast<std::uint32_t>(i), own, kVtkTetMid);
     for (std::size_t k = 0; k < nodes; ++k) items << own[k];
     items << static_cast<std::uint64_t>(tags[i]);
   });
@@ -171,13 +172,13 @@ void write_elements(MeditFile& file, const Mesh& mesh, const ElementGroups& grou
 }  // namespace
 
 void write_medit(OutputFile& file, const Mesh& mesh, const ModelOutline& outline, Encoding encoding,
-                 double scale) {
+                 double scale, std::size_t most_narrow) {
   constexpr std::size_t kMost = std::numeric_limits<std::int32_t>::max();
   const std::size_t nodes = node_count(mesh);
   if (std::max({nodes, mesh.tets.size(), mesh.triangles.size()}) > kMost)
     throw OutputError("the mesh is too large for a .mesh file; use MSH 4.1");
   const ElementGroups groups = group_elements(mesh);
-  MeditFile medit(file, encoding, needs_wide_places(mesh));
+  MeditFile medit(file, encoding, bytes_at_most(mesh) > most_narrow);
   medit.begin(outline);
   medit.section(kVertices, nodes, 1, 3, [&](std::size_t v, Items& items) {
     const auto node = static_cast<std::uint32_t>(v);

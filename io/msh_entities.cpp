@@ -129,7 +129,7 @@ ElementGroups group_elements(const Mesh& mesh) {
 }
 
 int element_nodes(const Mesh& mesh, const ElementGroups& groups, int dim, std::uint32_t i,
-                  std::uint64_t nodes[kMostNodes]) {
+                  std::uint64_t nodes[kMostNodes], const std::size_t (&tet_mid)[6]) {
   int n = 0;
   const auto add = [&](const auto& element) {
     for (const Mesh::Index v : element) nodes[n++] = std::uint64_t{v} + 1;
@@ -152,7 +152,7 @@ int element_nodes(const Mesh& mesh, const ElementGroups& groups, int dim, std::u
     default:
       add(mesh.tets[i]);
       if (second)
-        for (const std::size_t e : kMshTetMid) add_mid(mesh.mid.of_tets[i][e]);
+        for (const std::size_t e : tet_mid) add_mid(mesh.mid.of_tets[i][e]);
   }
   return n;
 }

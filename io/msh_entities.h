@@ -40,13 +40,14 @@ inline constexpr int kMshType[2][4] = {{15, 1, 2, 4}, {15, 8, 9, 11}};
 /// Where the edges of kTetEdge, in which MidNodes::of_tets has its nodes, stand in the formats' elements of
 /// second order; lines and triangles are the same in all.
 inline constexpr std::size_t kMshTetMid[6] = {0, 3, 1, 2, 5, 4};
-inline constexpr std::size_t kVtkTetMid[6] = {0, 3, 1, 2, 4, 5};  ///< and those of Abaqus
+inline constexpr std::size_t kVtkTetMid[6] = {0, 3, 1, 2, 4, 5};  ///< and those of Abaqus, Medit
 /// The most nodes of an element.
 inline constexpr std::size_t kMostNodes = 10;
 
-/// Nodes of element `i` of a dimension in MSH's order, as tags from 1; returns their count.
+/// Nodes of element `i` of a dimension, as tags from 1; returns their count. Middles of a tetrahedron's edges
+/// are in the order of `tet_mid`.
 int element_nodes(const Mesh& mesh, const ElementGroups& groups, int dim, std::uint32_t i,
-                  std::uint64_t nodes[kMostNodes]);
+                  std::uint64_t nodes[kMostNodes], const std::size_t (&tet_mid)[6] = kMshTetMid);
 
 /// Nodes of these elements of a dimension, each once, as tags from 1, ascending.
 [[nodiscard]] std::vector<std::uint64_t> nodes_of_elements(const Mesh& mesh, const ElementGroups& groups,

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <optional>
+#include <span>
 
 #include "base/check.h"
 #include "base/error.h"
@@ -23,8 +25,39 @@
 namespace octet {
 namespace {
 
-constexpr const char* kNames =
-    "msh, msh41, msh41-ascii, msh22, msh22-ascii, vtu, inp, unv, bdf, exodus, medit, medit-binary, su2";
+struct Named {
+  const char* word;
+  MeshFormat format;
+};
+constexpr Named kNames[] = {{"msh", MeshFormat::kMsh41Binary},
+                            {"msh41", MeshFormat::kMsh41Binary},
+                            {"msh41-ascii", MeshFormat::kMsh41Ascii},
+                            {"msh22", MeshFormat::kMsh22Binary},
+                            {"msh22-ascii", MeshFormat::kMsh22Ascii},
+                            {"vtu", MeshFormat::kVtu},
+                            {"inp", MeshFormat::kInp},
+                            {"unv", MeshFormat::kUnv},
+                            {"bdf", MeshFormat::kBdf},
+                            {"exodus", MeshFormat::kExodus},
+                            {"medit", MeshFormat::kMedit},
+                            {"medit-binary", MeshFormat::kMeditBinary},
+                            {"su2", MeshFormat::kSu2}};
+constexpr Named kSuffixes[] = {
+    {".msh", MeshFormat::kMsh41Binary},   {".vtu", MeshFormat::kVtu},  {".inp", MeshFormat::kInp},
+    {".unv", MeshFormat::kUnv},           {".bdf", MeshFormat::kBdf},  {".nas", MeshFormat::kBdf},
+    {".exo", MeshFormat::kExodus},        {".e", MeshFormat::kExodus}, {".mesh", MeshFormat::kMedit},
+    {".meshb", MeshFormat::kMeditBinary}, {".su2", MeshFormat::kSu2}};
+
+std::string listed(std::span<const Named> known) {
+  std::string words;
+  for (const Named& one : known) words += (words.empty() ? "" : ", ") + std::string(one.word);
+  return words;
+}
+
+std::optional<MeshFormat> find(std::span<const Named> known, const std::string& word) {
+  const auto found = std::find_if(known.begin(), known.end(), [&](const Named& n) { return word == n.word; });
+  return found == known.end() ? std::nullopt : std::optional(found->format);
+}
 
 std::string lower_case(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
@@ -34,37 +67,17 @@ std::string lower_case(std::string text) {
 
 }  // namespace
 
+std::string mesh_format_names() { return listed(kNames); }
+std::string mesh_suffixes() { return listed(kSuffixes); }
+
 MeshFormat mesh_format(const std::filesystem::path& path, const std::string& name) {
   if (!name.empty()) {
-    const std::string wanted = lower_case(name);
-    if (wanted == "msh" || wanted == "msh41") return MeshFormat::kMsh41Binary;
-    if (wanted == "msh41-ascii") return MeshFormat::kMsh41Ascii;
-    if (wanted == "msh22") return MeshFormat::kMsh22Binary;
-    if (wanted == "msh22-ascii") return MeshFormat::kMsh22Ascii;
-    if (wanted == "vtu") return MeshFormat::kVtu;
-    if (wanted == "inp") return MeshFormat::kInp;
-    if (wanted == "unv") return MeshFormat::kUnv;
-    if (wanted == "bdf") return MeshFormat::kBdf;
-    if (wanted == "exodus") return MeshFormat::kExodus;
-    if (wanted == "medit") return MeshFormat::kMedit;
-    if (wanted == "medit-binary") return MeshFormat::kMeditBinary;
-    if (wanted == "su2") return MeshFormat::kSu2;
-    throw InputError(fmt::format("unknown mesh format \"{}\"; known are {}", name, kNames));
+    if (const auto format = find(kNames, lower_case(name))) return *format;
+    throw InputError(fmt::format("unknown mesh format \"{}\"; known are {}", name, mesh_format_names()));
   }
-  const std::string suffix = lower_case(path.extension().string());
-  if (suffix == ".msh") return MeshFormat::kMsh41Binary;
-  if (suffix == ".vtu") return MeshFormat::kVtu;
-  if (suffix == ".inp") return MeshFormat::kInp;
-  if (suffix == ".unv") return MeshFormat::kUnv;
-  if (suffix == ".bdf" || suffix == ".nas") return MeshFormat::kBdf;
-  if (suffix == ".exo" || suffix == ".e") return MeshFormat::kExodus;
-  if (suffix == ".mesh") return MeshFormat::kMedit;
-  if (suffix == ".meshb") return MeshFormat::kMeditBinary;
-  if (suffix == ".su2") return MeshFormat::kSu2;
-  throw InputError(
-      fmt::format("\"{}\" ends in none of .msh, .vtu, .inp, .unv, .bdf, .exo, .mesh, .meshb and .su2: name "
-                  "the format ({})",
-                  path.string(), kNames));
+  if (const auto format = find(kSuffixes, lower_case(path.extension().string()))) return *format;
+  throw InputError(fmt::format("\"{}\" ends in none of {}: name the format ({})", path.string(),
+                               mesh_suffixes(), mesh_format_names()));
 }
 
 void check_order(MeshFormat format, int order) {

@@ -29,10 +29,12 @@ struct WriteOptions {
   double scale = 1.0;  ///< multiplies coordinates: model units (millimetre) to the unit asked for
 };
 
-/// Format for a path by its suffix (.msh: MSH 4.1 binary, .vtu, .inp, .unv, .bdf or .nas, .exo or .e, .mesh,
-/// .meshb, .su2); `name` is the user's --format or empty: msh (=msh41), msh41, msh41-ascii, msh22,
-/// msh22-ascii, vtu, inp, unv, bdf, exodus, medit, medit-binary, su2.
-/// InputError when neither tells.
+/// What --format takes, and the suffixes that tell a format, each separated by ", ".
+[[nodiscard]] std::string mesh_format_names();
+[[nodiscard]] std::string mesh_suffixes();
+
+/// The format of that name (the user's --format; msh is msh41), or where it is empty the one that the path's
+/// suffix tells (.msh: MSH 4.1, binary). InputError when neither is known.
 [[nodiscard]] MeshFormat mesh_format(const std::filesystem::path& path, const std::string& name);
 /// InputError when the format has no elements of that order.
 void check_order(MeshFormat format, int order);

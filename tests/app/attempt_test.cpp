@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 namespace octet::test {
 namespace {
 
@@ -18,6 +20,22 @@ TEST(Attempt, CrossesAllOverByItsGapsOrByWhatDisagrees) {
   attempt.labels.conflicts.clear();
   attempt.closed.gaps.resize(kHopelessGaps + 1);
   EXPECT_TRUE(crosses_all_over(attempt));
+}
+
+TEST(Attempt, IsMoreOpenWhereEdgesLackPiecesThanWithAnyNumberOfOtherGaps) {
+  std::vector<Gap> one_piece(1), fans(500);
+  one_piece[0].kind = GapKind::kMissingPiece;
+  for (Gap& gap : fans) gap.kind = GapKind::kBareFace;
+  EXPECT_LT(openness(fans), openness(one_piece));
+  EXPECT_TRUE(clearly_less(openness(fans), openness(one_piece)));
+  EXPECT_FALSE(clearly_less(openness(one_piece), openness(fans)));
+}
+
+TEST(Attempt, IsClearlyLessOpenWithATenthFewerGaps) {
+  EXPECT_TRUE(clearly_less({false, 89}, {false, 100}));
+  EXPECT_FALSE(clearly_less({false, 90}, {false, 100}));
+  EXPECT_FALSE(clearly_less({true, 1491}, {true, 1582}));
+  EXPECT_FALSE(clearly_less({false, 0}, {false, 0}));
 }
 
 }  // namespace

@@ -11,7 +11,9 @@
 #include <iterator>
 #include <map>
 #include <sstream>
+#include <stdexcept>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "io/write.h"
@@ -77,20 +79,20 @@ MeditItems read_text(const std::string& text) {
   return found;
 }
 
-/// By the chain of places that keywords give.
+/// By the chain of places that keywords give; those of version 3 have eight bytes.
 class BinaryReader {
  public:
-  explicit BinaryReader(const std::string& bytes) : bytes_(bytes) {
+  explicit BinaryReader(const std::string& bytes, int version = 2) : bytes_(bytes), wide_(version == 3) {
     EXPECT_EQ(take<std::int32_t>(), 1);
-    EXPECT_EQ(take<std::int32_t>(), 2);
+    EXPECT_EQ(take<std::int32_t>(), version);
     EXPECT_EQ(take<std::int32_t>(), 3);
-    EXPECT_EQ(take<std::int32_t>(), 20);
+    std::size_t next = take_place();
     EXPECT_EQ(take<std::int32_t>(), 3);
-    for (std::size_t next = 20; next != 0;) {
+    while (next != 0) {
       EXPECT_EQ(at_, next);
       at_ = next;
       const int code = take<std::int32_t>();
-      next = static_cast<std::size_t>(take<std::int32_t>());
+      next = take_place();
       if (code == 54) break;
       read_items(code);
     }
@@ -106,6 +108,11 @@ class BinaryReader {
     std::memcpy(&value, bytes_.data() + at_, sizeof value);
     at_ += sizeof value;
     return value;
+  }
+
+  std::size_t take_place() {
+    return wide_ ? static_cast<std::size_t>(take<std::int64_t>())
+                 : static_cast<std::size_t>(take<std::int32_t>());
   }
 
   void read_items(int code) {
@@ -127,6 +134,7 @@ class BinaryReader {
   }
 
   const std::string& bytes_;
+  bool wide_;
   std::size_t at_ = 0;
 };
 
@@ -160,6 +168,21 @@ TEST(MeditWrite, TextAndBinaryHaveTheMeshInItsOrder) {
     EXPECT_EQ(found.integers.at("Tetrahedra"), numbered(mesh.tets, mesh.tet_in));
     EXPECT_EQ(found.integers.size(), 5u);
   }
+}
+
+/// A file that is larger than places of four bytes reach: here one of more than a byte.
+TEST(MeditWrite, LargeFilesAreOfVersionThree) {
+  const Mesh mesh = test::halved_box_mesh(1, {4, 2, 2});
+  const auto path = std::filesystem::temp_directory_path() / "octet_LargeFilesAreOfVersionThree.meshb";
+  OutputFile file(path);
+  write_medit(file, mesh, {}, Encoding::kBinary, 1.0, 1);
+  file.commit();
+  std::ifstream in(path, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  std::filesystem::remove(path);
+  const MeditItems found = BinaryReader(bytes, 3).found;
+  EXPECT_EQ(found.points.size(), mesh.points.size());
+  EXPECT_EQ(found.integers.at("Tetrahedra"), numbered(mesh.tets, mesh.tet_in));
 }
 
 /// Of edges 0-1, 1-2, 2-0, and of tetrahedra 0-3, 1-3, 2-3.
