@@ -48,7 +48,7 @@ int run_improve(const ImproveCommand& command) {
   const LengthUnit unit = length_unit(command.unit.empty() ? "mm" : command.unit);
   const ImproveOptions options = improve_options(command, unit);
   const MeshFormat format = mesh_format(command.output, command.format);
-  check_order(format, command.order);
+  check_format(format, command.order);
   check_writable(command.output);
   if (!command.report.empty()) check_writable(command.report);
   ConsoleOptions console_options;

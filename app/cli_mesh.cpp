@@ -122,7 +122,7 @@ int run_mesh(const MeshCommand& command) {
   std::vector<MeshFormat> formats;
   for (const fs::path& output : command.outputs) {
     formats.push_back(mesh_format(output, command.format));
-    check_order(formats.back(), command.order);
+    check_format(formats.back(), command.order);
   }
   check_outputs(command);
   const tbb::global_control most_threads(tbb::global_control::max_allowed_parallelism,

@@ -35,6 +35,10 @@ class OutputFile {
   /// filling runs in parallel.
   template <class Fill>
   void write_blocks(std::size_t n, std::size_t block, const Fill& fill);
+  /// The target as it was given, for messages.
+  [[nodiscard]] const std::filesystem::path& named() const { return named_; }
+  /// Where what is written stands until commit(); empty when it goes to a device or a pipe.
+  [[nodiscard]] const std::filesystem::path& temporary() const { return temporary_; }
   /// Flushes, closes and renames. Nothing may be written afterwards.
   void commit();
 

@@ -14,13 +14,17 @@
 #include "base/error.h"
 #include "io/bdf_write.h"
 #include "io/exodus_write.h"
+#include "io/hdf5_file.h"
 #include "io/inp_write.h"
+#include "io/med_write.h"
 #include "io/medit_write.h"
 #include "io/msh_write.h"
 #include "io/output_file.h"
+#include "io/stl_write.h"
 #include "io/su2_write.h"
 #include "io/unv_write.h"
 #include "io/vtu_write.h"
+#include "io/xdmf_write.h"
 
 namespace octet {
 namespace {
@@ -41,12 +45,17 @@ constexpr Named kNames[] = {{"msh", MeshFormat::kMsh41Binary},
                             {"exodus", MeshFormat::kExodus},
                             {"medit", MeshFormat::kMedit},
                             {"medit-binary", MeshFormat::kMeditBinary},
-                            {"su2", MeshFormat::kSu2}};
+                            {"su2", MeshFormat::kSu2},
+                            {"med", MeshFormat::kMed},
+                            {"xdmf", MeshFormat::kXdmf},
+                            {"stl", MeshFormat::kStl},
+                            {"stl-ascii", MeshFormat::kStlAscii}};
 constexpr Named kSuffixes[] = {
     {".msh", MeshFormat::kMsh41Binary},   {".vtu", MeshFormat::kVtu},  {".inp", MeshFormat::kInp},
     {".unv", MeshFormat::kUnv},           {".bdf", MeshFormat::kBdf},  {".nas", MeshFormat::kBdf},
     {".exo", MeshFormat::kExodus},        {".e", MeshFormat::kExodus}, {".mesh", MeshFormat::kMedit},
-    {".meshb", MeshFormat::kMeditBinary}, {".su2", MeshFormat::kSu2}};
+    {".meshb", MeshFormat::kMeditBinary}, {".su2", MeshFormat::kSu2},  {".med", MeshFormat::kMed},
+    {".xdmf", MeshFormat::kXdmf},         {".stl", MeshFormat::kStl}};
 
 std::string listed(std::span<const Named> known) {
   std::string words;
@@ -80,9 +89,12 @@ MeshFormat mesh_format(const std::filesystem::path& path, const std::string& nam
                                mesh_suffixes(), mesh_format_names()));
 }
 
-void check_order(MeshFormat format, int order) {
-  if (format == MeshFormat::kSu2 && order > 1)
+void check_format(MeshFormat format, int order) {
+  if (order > 1 && format == MeshFormat::kSu2)
     throw InputError("a .su2 file has no elements of second order: use --order 1");
+  if (order > 1 && (format == MeshFormat::kStl || format == MeshFormat::kStlAscii))
+    throw InputError("a .stl file has flat triangles alone: use --order 1");
+  if (format == MeshFormat::kMed || format == MeshFormat::kXdmf) check_hdf5();
 }
 
 void write_mesh(const std::filesystem::path& path, const Mesh& mesh, const ModelOutline& outline,
@@ -127,6 +139,25 @@ void write_mesh(const std::filesystem::path& path, const Mesh& mesh, const Model
       break;
     case MeshFormat::kSu2:
       write_su2(file, mesh, outline, options.scale);
+      break;
+    case MeshFormat::kMed:
+      write_med(file, mesh, outline, options.scale);
+      break;
+    case MeshFormat::kXdmf: {
+      std::filesystem::path beside = path;
+      beside.replace_extension(".h5");
+      if (beside == path)
+        throw OutputError("the arrays of an XDMF file are in a .h5 file: give it another suffix");
+      OutputFile arrays(beside);
+      write_xdmf(file, arrays, beside.filename().string(), mesh, outline, options.scale);
+      arrays.commit();
+      break;
+    }
+    case MeshFormat::kStl:
+      write_stl(file, mesh, outline, Encoding::kBinary, options.scale);
+      break;
+    case MeshFormat::kStlAscii:
+      write_stl(file, mesh, outline, Encoding::kAscii, options.scale);
       break;
   }
   file.commit();

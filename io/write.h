@@ -22,7 +22,11 @@ enum class MeshFormat {
   kExodus,
   kMedit,
   kMeditBinary,
-  kSu2
+  kSu2,
+  kMed,
+  kXdmf,
+  kStl,
+  kStlAscii
 };
 
 struct WriteOptions {
@@ -36,11 +40,12 @@ struct WriteOptions {
 /// The format of that name (the user's --format; msh is msh41), or where it is empty the one that the path's
 /// suffix tells (.msh: MSH 4.1, binary). InputError when neither is known.
 [[nodiscard]] MeshFormat mesh_format(const std::filesystem::path& path, const std::string& name);
-/// InputError when the format has no elements of that order.
-void check_order(MeshFormat format, int order);
+/// InputError when the format has no elements of that order, or cannot be written by this program
+/// (check_hdf5() in io/hdf5_file.h).
+void check_format(MeshFormat format, int order);
 
 /// Writes to a temporary name beside `path` and renames when whole. OutputError (with the reason) leaves no
-/// file. Same mesh, same bytes.
+/// file. Same mesh, same bytes. XDMF's arrays are in a second file, whose suffix is .h5.
 void write_mesh(const std::filesystem::path& path, const Mesh& mesh, const ModelOutline& outline,
                 MeshFormat format, const WriteOptions& options = {});
 

@@ -110,8 +110,9 @@ TEST(BadSize, MoreElementsThanAllowedAreRefusedBeforeTheyAreMade) {
 
 TEST(BadUse, UnknownUnitFormatAndOptionAreRefused) {
   expect_bad_options({"--unit", "parsec"}, "parsec");
-  expect_bad_options({"--format", "stl"}, "stl");
+  expect_bad_options({"--format", "ply"}, "ply");
   expect_bad_options({"--format", "su2", "--order", "2"}, "su2");
+  expect_bad_options({"--format", "stl", "--order", "2"}, "stl");
   expect_bad_options({"--frobnicate"}, "--frobnicate");
   expect_bad_options({"--threads", "0"}, "--threads");
 }

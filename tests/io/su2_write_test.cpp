@@ -188,9 +188,9 @@ TEST(Su2Write, SecondOrderIsRefused) {
   Mesh mesh = test::plain_box_mesh(1);
   mesh.mid = straight_mid_nodes(mesh);
   EXPECT_THROW((void)file_of(mesh, {}), OutputError);
-  EXPECT_THROW(check_order(MeshFormat::kSu2, 2), InputError);
-  EXPECT_NO_THROW(check_order(MeshFormat::kSu2, 1));
-  EXPECT_NO_THROW(check_order(MeshFormat::kMedit, 2));
+  EXPECT_THROW(check_format(MeshFormat::kSu2, 2), InputError);
+  EXPECT_NO_THROW(check_format(MeshFormat::kSu2, 1));
+  EXPECT_NO_THROW(check_format(MeshFormat::kMedit, 2));
 }
 
 }  // namespace

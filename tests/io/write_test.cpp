@@ -333,8 +333,8 @@ TEST(Format, IsToldByNameElseBySuffix) {
   EXPECT_EQ(mesh_format("a", "msh22-ascii"), MeshFormat::kMsh22Ascii);
   EXPECT_EQ(mesh_format("a", "msh22"), MeshFormat::kMsh22Binary);
   EXPECT_EQ(mesh_format("a", "msh41-ascii"), MeshFormat::kMsh41Ascii);
-  EXPECT_THROW((void)mesh_format("a.stl", ""), InputError);
-  EXPECT_THROW((void)mesh_format("a.msh", "stl"), InputError);
+  EXPECT_THROW((void)mesh_format("a.ply", ""), InputError);
+  EXPECT_THROW((void)mesh_format("a.msh", "ply"), InputError);
 }
 
 TEST_F(Read, ElementsOfBothOrdersAreRefused) {

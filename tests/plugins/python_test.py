@@ -311,6 +311,29 @@ class Files(unittest.TestCase):
             family = read.point_data["point_tags"][point]
             self.assertEqual(read.point_tags.get(family), [mesh.names[0, tag]] if dim == 0 else None)
 
+    def test_the_programs_own_med_files_are_read_by_meshio(self):
+        """MED's tetrahedra are turned the other way round; meshio takes nodes as they stand."""
+        for order, kind, places in (
+            (1, "tetra", [0, 2, 1, 3]),
+            (2, "tetra10", [0, 2, 1, 3, 6, 5, 4, 7, 9, 8]),
+        ):
+            with tempfile.TemporaryDirectory() as folder:
+                path = os.path.join(folder, "a.med")
+                try:
+                    mesh = octet.mesh(model("two_boxes.step"), order=order, output=path)
+                except octet.OctetError as error:
+                    if "built without" not in str(error):
+                        raise
+                    self.skipTest(str(error))
+                read = meshio.read(path)
+            np.testing.assert_array_equal(read.points, mesh.points)
+            np.testing.assert_array_equal(read.cells_dict[kind], mesh.tets[:, places])
+            families = read.cell_data_dict["cell_tags"][kind]
+            groups = {(tag, *read.cell_tags[family]) for tag, family in zip(mesh.tet_in, families)}
+            self.assertEqual(sorted(len(set(column)) for column in zip(*groups)), [2, 2])
+            faces = read.cells_dict["triangle" if order == 1 else "triangle6"]
+            np.testing.assert_array_equal(faces, mesh.triangles)
+
 
 def _renumber(data):
     """Nodes of a binary MSH 4.1 file get the numbers 3, 6, ..., the last first."""

@@ -124,7 +124,8 @@ def mesh(
     size_at     sizes at places: {"Face12": 0.5, "bore*": "/24", "ball:0,0,0,5": 1}; or a list of "PLACE=SIZE"
     field       sizes over space: (points, sizes), arrays of shape (n, 3) and (n,), or a path (CSV, MSH, VTU)
     order       of the elements: 1 or 2
-    output      files to keep, too: .msh, .vtu, .inp, .unv, .bdf, .exo, .mesh, .meshb, .su2; a path or a list
+    output      files to keep, too: .msh, .vtu, .inp, .unv, .bdf, .exo, .mesh, .meshb, .su2, .med, .xdmf,
+                .stl; a path or a list
     incomplete  "raise": a mesh that is not right everywhere raises IncompleteError, which has it;
                 "accept": it is returned, and its report tells
     progress    called with (stage, fraction) as stages begin; what it raises ends the run
