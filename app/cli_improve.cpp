@@ -49,7 +49,7 @@ int run_improve(const ImproveCommand& command) {
   const ImproveOptions options = improve_options(command, unit);
   const MeshFormat format = mesh_format(command.output, command.format);
   check_format(format, command.order);
-  check_writable(command.output);
+  for (const std::filesystem::path& file : written_files(command.output, format)) check_writable(file);
   if (!command.report.empty()) check_writable(command.report);
   ConsoleOptions console_options;
   console_options.progress = !command.quiet && ::isatty(STDERR_FILENO) != 0;

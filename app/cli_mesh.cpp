@@ -59,8 +59,10 @@ void check_distinct(const fs::path& a, const fs::path& b) {
     throw InputError(fmt::format("\"{}\" and \"{}\" are the same file", a.string(), b.string()));
 }
 
-void check_outputs(const MeshCommand& command) {
-  std::vector<fs::path> files = command.outputs;
+void check_outputs(const MeshCommand& command, const std::vector<MeshFormat>& formats) {
+  std::vector<fs::path> files;
+  for (std::size_t i = 0; i < formats.size(); ++i)
+    for (fs::path& file : written_files(command.outputs[i], formats[i])) files.push_back(std::move(file));
   if (!command.report.empty()) files.push_back(command.report);
   for (auto file = files.begin(); file != files.end(); ++file) {
     check_distinct(command.part, *file);
@@ -124,7 +126,7 @@ int run_mesh(const MeshCommand& command) {
     formats.push_back(mesh_format(output, command.format));
     check_format(formats.back(), command.order);
   }
-  check_outputs(command);
+  check_outputs(command, formats);
   const tbb::global_control most_threads(tbb::global_control::max_allowed_parallelism,
                                          static_cast<std::size_t>(options.threads));
   RunNames names{command.part.string(), command.outputs.front().string(), unit.name};

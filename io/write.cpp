@@ -97,6 +97,16 @@ void check_format(MeshFormat format, int order) {
   if (format == MeshFormat::kMed || format == MeshFormat::kXdmf) check_hdf5();
 }
 
+std::vector<std::filesystem::path> written_files(const std::filesystem::path& path, MeshFormat format) {
+  if (format != MeshFormat::kXdmf) return {path};
+  std::filesystem::path arrays = path;
+  arrays.replace_extension(".h5");
+  if (arrays == path)
+    throw InputError(fmt::format(
+        "\"{}\" is where the arrays of an XDMF file go: give the file itself another suffix", path.string()));
+  return {path, arrays};
+}
+
 void write_mesh(const std::filesystem::path& path, const Mesh& mesh, const ModelOutline& outline,
                 MeshFormat format, const WriteOptions& options) {
   OCTET_CHECK(mesh.points.size() == mesh.point_on.size() && mesh.edges.size() == mesh.edge_on.size());
@@ -144,10 +154,7 @@ void write_mesh(const std::filesystem::path& path, const Mesh& mesh, const Model
       write_med(file, mesh, outline, options.scale);
       break;
     case MeshFormat::kXdmf: {
-      std::filesystem::path beside = path;
-      beside.replace_extension(".h5");
-      if (beside == path)
-        throw OutputError("the arrays of an XDMF file are in a .h5 file: give it another suffix");
+      const std::filesystem::path beside = written_files(path, format).back();
       OutputFile arrays(beside);
       write_xdmf(file, arrays, beside.filename().string(), mesh, outline, options.scale);
       arrays.commit();

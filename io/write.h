@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "mesh/mesh.h"
 #include "mesh/model_outline.h"
@@ -44,8 +45,13 @@ struct WriteOptions {
 /// (check_hdf5() in io/hdf5_file.h).
 void check_format(MeshFormat format, int order);
 
+/// What write_mesh makes: the path itself and, behind it, an XDMF file's arrays, in a file whose suffix is
+/// .h5. InputError when these would be one file.
+[[nodiscard]] std::vector<std::filesystem::path> written_files(const std::filesystem::path& path,
+                                                               MeshFormat format);
+
 /// Writes to a temporary name beside `path` and renames when whole. OutputError (with the reason) leaves no
-/// file. Same mesh, same bytes. XDMF's arrays are in a second file, whose suffix is .h5.
+/// file. Same mesh, same bytes. So is every file of written_files.
 void write_mesh(const std::filesystem::path& path, const Mesh& mesh, const ModelOutline& outline,
                 MeshFormat format, const WriteOptions& options = {});
 

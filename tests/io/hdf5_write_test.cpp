@@ -280,7 +280,7 @@ TEST_F(Hdf5Write, WhatCannotBeWrittenLeavesNoFile) {
   const Mesh mesh = test::plain_box_mesh(1);
   EXPECT_THROW(write_mesh("/dev/null", mesh, {}, MeshFormat::kMed), OutputError);
   EXPECT_THROW(write_mesh(folder_ / "none" / "a.med", mesh, {}, MeshFormat::kMed), OutputError);
-  EXPECT_THROW(write_mesh(folder_ / "a.h5", mesh, {}, MeshFormat::kXdmf), OutputError);
+  EXPECT_THROW(write_mesh(folder_ / "a.h5", mesh, {}, MeshFormat::kXdmf), InputError);
   fs::create_directory(folder_ / "b.h5");
   EXPECT_THROW(write_mesh(folder_ / "b.xdmf", mesh, {}, MeshFormat::kXdmf), OutputError);
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1) << "b.h5 alone";

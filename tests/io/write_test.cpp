@@ -337,6 +337,13 @@ TEST(Format, IsToldByNameElseBySuffix) {
   EXPECT_THROW((void)mesh_format("a.msh", "ply"), InputError);
 }
 
+TEST(Format, AnXdmfFileHasASecondOneBesideIt) {
+  using Files = std::vector<std::filesystem::path>;
+  EXPECT_EQ(written_files("a/b.c.xdmf", MeshFormat::kXdmf), (Files{"a/b.c.xdmf", "a/b.c.h5"}));
+  EXPECT_EQ(written_files("a/b.med", MeshFormat::kMed), Files{"a/b.med"});
+  EXPECT_THROW((void)written_files("b.h5", MeshFormat::kXdmf), InputError);
+}
+
 TEST_F(Read, ElementsOfBothOrdersAreRefused) {
   Mesh mesh = crooked_second_order_mesh(1);
   write_mesh(directory_ / "a", mesh, {}, MeshFormat::kMsh22Ascii);
