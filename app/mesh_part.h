@@ -50,6 +50,9 @@ struct StageTime {
 struct MeshReport {
   MeshStatus status = MeshStatus::kIncomplete;
   double size = 0.0;  ///< the size used
+  /// A size at which most of the boundary had no mesh faces: the one used, or a larger one that was tried
+  /// before; 0: none.
+  double too_coarse = 0.0;
   std::vector<Fault> faults;
   std::vector<Fault> warnings;  ///< what is a danger at this size though the mesh may be complete: wide gaps
   SizeShortfall shortfall;      ///< where the part is finer than the size asked for

@@ -221,8 +221,9 @@ class Run {
     if (gaps_left_ && !too_coarse_) tell_touches(faults);
     for (Fault& fault : faults) fault.place = frame_.to_part(fault.place);
     if (gaps_left_) faults.insert(faults.begin(), crossings_.begin(), crossings_.end());
-    if (gaps_left_ && too_coarse_)
-      faults.insert(faults.begin(), fault_of_coarseness(plan_.asked, frame_.to_part(model_.box().centre())));
+    if (!gaps_left_ || !too_coarse_) return;
+    result_.report.too_coarse = plan_.asked;
+    faults.insert(faults.begin(), fault_of_coarseness(plan_.asked, frame_.to_part(model_.box().centre())));
   }
 
   /// Points nearer to each other than is good for elements, for the gaps that nothing else closes. About a

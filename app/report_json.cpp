@@ -122,6 +122,7 @@ std::string mesh_report_json(const RunNames& names, const Model& model, const Me
   Json json = head_json(names, report.status == MeshStatus::kComplete ? "complete" : "incomplete");
   json["part_unit"] = model.unit();
   json["size"] = report.size;
+  if (report.too_coarse > report.size) json["too_coarse_size"] = report.too_coarse;
   json["diagonal"] = model.diagonal();
   json["nodes"] = report.nodes;
   json["tets"] = report.tets;

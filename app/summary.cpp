@@ -144,7 +144,11 @@ std::string quality_line(const char* name, const QualitySummary& q) {
 }
 
 std::string mesh_summary(const Model& model, const MeshReport& report) {
-  std::string text = fmt::format("  size     {:.6g} mm\n", report.size);
+  std::string text = fmt::format(
+      "  size     {:.6g} mm{}\n", report.size,
+      report.too_coarse > report.size
+          ? fmt::format(" (at {:.6g} mm most of the boundary had no mesh faces)", report.too_coarse)
+          : "");
   text += fmt::format("  mesh     {} tetrahedra, {} nodes, {} boundary triangles\n", report.tets,
                       report.nodes, report.triangles);
   text += shortfall_line(model, report.shortfall);

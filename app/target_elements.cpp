@@ -12,10 +12,12 @@
 #include "app/element_estimate.h"
 #include "app/octant_sizes.h"
 #include "app/scaled_sizes.h"
+#include "base/error.h"
 
 namespace octet {
 namespace {
 
+constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 constexpr double kCloseEnough = 0.125;
 constexpr double kSameOctants = 0.01;  // logarithms of scales that are nearer are not told apart
 /// By what the logarithm of an estimate may miss what is wanted.
@@ -85,9 +87,10 @@ MeshResult mesh_to_target(const Model& model, const MeshOptions& options,
   return *std::move(best);
 }
 
-MeshResult mesh_by_default(const Model& model, const MeshOptions& options, const BoundedMesher& mesh,
-                           WallMemo* walls) {
-  constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+namespace {
+
+MeshResult mesh_within_bounds(const Model& model, const MeshOptions& options, const BoundedMesher& mesh,
+                              WallMemo* walls) {
   const MeshOptions chosen = with_default_size(model, options, walls);
   const double most = most_by_default(model);
   std::optional<MeshResult> result;
@@ -112,6 +115,37 @@ MeshResult mesh_by_default(const Model& model, const MeshOptions& options, const
     return std::pair(r.report.status != MeshStatus::kComplete, r.report.tets);
   };
   return rank(coarser) < rank(*result) ? std::move(coarser) : *std::move(result);
+}
+
+/// A part that is thin all over has next to no mesh at a size that suits its faces' number. Nothing where
+/// that would take too many elements, too.
+std::optional<MeshResult> mesh_by_width(const Model& model, const MeshOptions& options,
+                                        const BoundedMesher& mesh, const MeshReport& coarse,
+                                        WallMemo* walls) {
+  constexpr double kWidths = 2.0;
+  MeshOptions finer = options;
+  finer.size = kWidths * 2.0 * coarse.cad_volume / coarse.cad_area;
+  if (!(finer.size > 0.0 && finer.size < coarse.too_coarse)) return {};
+  try {
+    if (estimated_elements(model, plan_sizes(model, finer, walls)) >
+        static_cast<double>(options.max_elements))
+      return {};
+    return mesh(finer, kUnbounded);
+  } catch (const LimitError&) {
+    return {};
+  }
+}
+
+}  // namespace
+
+MeshResult mesh_by_default(const Model& model, const MeshOptions& options, const BoundedMesher& mesh,
+                           WallMemo* walls) {
+  MeshResult result = mesh_within_bounds(model, options, mesh, walls);
+  if (result.report.too_coarse == 0.0 || !has_free_sizes(options)) return result;
+  std::optional<MeshResult> finer = mesh_by_width(model, options, mesh, result.report, walls);
+  if (!finer || finer->report.faults.size() >= result.report.faults.size()) return result;
+  finer->report.too_coarse = std::max(finer->report.too_coarse, result.report.too_coarse);
+  return *std::move(finer);
 }
 
 }  // namespace octet

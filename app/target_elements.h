@@ -30,7 +30,11 @@ using BoundedMesher = std::function<MeshResult(const MeshOptions&, double most)>
 /// Meshes with the default size (with_default_size()), and, where nothing was asked for, with larger ones
 /// instead of a mesh of far more than most_by_default() tetrahedra, or of one of more that is not complete:
 /// octrees promise too little where a part has many features far below the size. The larger mesh is returned
-/// where it alone is complete, the one of fewer elements where neither is. `walls`: as above.
+/// where it alone is complete, the one of fewer elements where neither is. Where most of the boundary has no
+/// mesh faces at the default size, and no size was asked for, the part is meshed with elements twice as long
+/// as it is wide in the mean (twice its volume over its area: a tube's wall, a rod's radius) as well, if the
+/// octree promises no more of them than options allow, and that mesh is returned where it has fewer faults.
+/// `walls`: as above.
 [[nodiscard]] MeshResult mesh_by_default(const Model& model, const MeshOptions& options,
                                          const BoundedMesher& mesh, WallMemo* walls = nullptr);
 

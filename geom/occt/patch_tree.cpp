@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <optional>
+#include <tuple>
+#include <utility>
 
 namespace octet {
 namespace {
@@ -176,16 +179,27 @@ void PatchTree::intersect(const Vec3& p, const Vec3& q, std::vector<SurfaceRoot>
 }
 
 Vec2 PatchTree::near(const Vec3& p) const {
-  const Patch* best = &leaves_.front().patch;
-  auto best_distance = std::make_pair(std::numeric_limits<double>::infinity(), 0.0);
-  for (const Part& part : leaves_) {
-    const Patch& leaf = part.patch;
-    const auto distance = std::make_pair(leaf.box.squared_distance(p), (leaf.box.centre() - p).squaredNorm());
-    if (!(distance < best_distance)) continue;
-    best_distance = distance;
-    best = &leaf;
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  std::tuple<double, double, std::int32_t> best(kFar, kFar, 0);
+  std::array<std::pair<double, std::int32_t>, 128> stack;
+  std::size_t top = 0;
+  stack[top++] = {nodes_.front().box.squared_distance(p), 0};
+  while (top > 0) {
+    const auto [distance, index] = stack[--top];
+    if (distance > std::get<0>(best)) continue;
+    const Node& node = nodes_[index];
+    if (node.left < 0) {
+      const Box3& box = leaves_[node.right].patch.box;
+      best = std::min(best, std::make_tuple(distance, (box.centre() - p).squaredNorm(), node.right));
+      continue;
+    }
+    std::pair left(nodes_[node.left].box.squared_distance(p), node.left);
+    std::pair right(nodes_[node.right].box.squared_distance(p), node.right);
+    if (left.first < right.first) std::swap(left, right);  // the nearer one is looked at first
+    stack[top++] = left;
+    stack[top++] = right;
   }
-  return best->cell.centre();
+  return leaves_[std::get<2>(best)].patch.cell.centre();
 }
 
 /// Whether the segment stays clear of the patch: of its box, or, within that, of the layer about the plane of

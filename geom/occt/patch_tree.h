@@ -37,8 +37,8 @@ class PatchTree {
   /// same direction are one; a root that touches is `tangent`.
   void intersect(const Vec3& p, const Vec3& q, std::vector<SurfaceRoot>& roots) const;
 
-  /// Middle of the leaf nearest to p, by its box, then by its middle: a start for a foot point. Cost: all
-  /// leaves.
+  /// Middle of the leaf nearest to p, by its box, then by its middle: a start for a foot point. Cost: some
+  /// twice the depth of the tree.
   [[nodiscard]] Vec2 near(const Vec3& p) const;
 
   /// Box of the whole surface.

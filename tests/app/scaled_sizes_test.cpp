@@ -251,6 +251,50 @@ TEST(ScaledSizes, AMeshThatIsLargerThanPromisedIsMadeAgain) {
   EXPECT_EQ(asked.sizes.size(), 1u);
 }
 
+TEST(ScaledSizes, APartWhoseBoundaryHasNoFacesIsMeshedByItsWidth) {
+  const Model box = analytic_box(Vec3(1.0, 1.0, 1.0));
+  std::vector<double> sizes;
+  std::size_t faults_when_fine = 0;
+  const auto mesh = [&](const MeshOptions& options, double) {
+    sizes.push_back(options.size);
+    MeshResult result;
+    result.report.size = options.size;
+    // As if the part were thinner.
+    result.report.cad_volume = 0.06;
+    result.report.cad_area = 6.0;
+    const bool coarse = sizes.size() == 1;
+    if (coarse) result.report.too_coarse = options.size;
+    result.report.faults.resize(coarse ? 10 : faults_when_fine);
+    result.report.status = result.report.faults.empty() ? MeshStatus::kComplete : MeshStatus::kIncomplete;
+    return result;
+  };
+  const auto by_default = [&](const MeshOptions& options) {
+    sizes.clear();
+    return mesh_by_default(box, options, mesh).report;
+  };
+  MeshOptions many;
+  many.max_elements = std::numeric_limits<std::size_t>::max();
+  MeshReport report = by_default(many);
+  ASSERT_EQ(sizes.size(), 2u);
+  EXPECT_DOUBLE_EQ(sizes[1], 0.04);
+  EXPECT_EQ(report.status, MeshStatus::kComplete);
+  EXPECT_EQ(report.size, sizes[1]);
+  EXPECT_EQ(report.too_coarse, sizes[0]);
+  faults_when_fine = 3;
+  EXPECT_EQ(by_default(many).faults.size(), 3u) << "fewer faults are better";
+  faults_when_fine = 10;
+  EXPECT_EQ(by_default(many).size, sizes[0]) << "no better: the smaller mesh";
+  EXPECT_EQ(sizes.size(), 2u);
+  MeshOptions few;
+  few.max_elements = 1000;
+  EXPECT_EQ(by_default(few).faults.size(), 10u);
+  EXPECT_EQ(sizes.size(), 1u) << "more elements than are allowed";
+  MeshOptions asked = many;
+  asked.size = 0.5;
+  EXPECT_EQ(by_default(asked).faults.size(), 10u);
+  EXPECT_EQ(sizes.size(), 1u) << "the user's size is the user's";
+}
+
 TEST(ScaledSizes, CountsFollowTheScale) {
   const Model model = rounded_box(4.0);
   MeshOptions options;
