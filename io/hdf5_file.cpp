@@ -7,7 +7,6 @@
 #include <hdf5.h>
 
 #include <cerrno>
-#include <cstring>
 #include <system_error>
 
 #include "base/check.h"
@@ -16,14 +15,15 @@
 namespace octet {
 namespace {
 
-#define OCTET_HDF5_FUNCTIONS(F)                                                                       \
-  F(H5open)                                                                                           \
-  F(H5Eget_auto2)                                                                                     \
-  F(H5Eset_auto2)                                                                                     \
-  F(H5Fcreate) F(H5Fclose) F(H5Gcreate2) F(H5Gclose) F(H5Oopen) F(H5Oclose) F(H5Acreate2) F(H5Awrite) \
-      F(H5Aclose) F(H5Screate) F(H5Screate_simple) F(H5Sselect_hyperslab) F(H5Sclose) F(H5Tcopy)      \
-          F(H5Tset_size) F(H5Tarray_create2) F(H5Tclose) F(H5Pcreate) F(H5Pset_obj_track_times)       \
-              F(H5Pset_fill_time) F(H5Pclose) F(H5Dcreate2) F(H5Dget_space) F(H5Dwrite) F(H5Dclose)
+#define OCTET_HDF5_FUNCTIONS(F)                                                                      \
+  F(H5open)                                                                                          \
+  F(H5Eget_auto2)                                                                                    \
+  F(H5Eset_auto2)                                                                                    \
+  F(H5Fcreate)                                                                                       \
+  F(H5Fclose) F(H5Gcreate2) F(H5Gclose) F(H5Oopen) F(H5Oclose) F(H5Acreate2) F(H5Awrite) F(H5Aclose) \
+      F(H5Screate) F(H5Screate_simple) F(H5Sselect_hyperslab) F(H5Sclose) F(H5Tcopy) F(H5Tset_size)  \
+          F(H5Tarray_create2) F(H5Tclose) F(H5Pcreate) F(H5Pset_obj_track_times) F(H5Pset_fill_time) \
+              F(H5Pclose) F(H5Dcreate2) F(H5Dget_space) F(H5Dwrite) F(H5Dclose)
 /// Numbers that are known once the library has been opened.
 #define OCTET_HDF5_NUMBERS(F) \
   F(H5T_NATIVE_INT8_g)        \
@@ -72,7 +72,9 @@ Library load() {
     library.trouble = "it cannot be started";
     return library;
   }
-#define F(name) library.name = number(handle, #name);
+#define F(name)                         \
+  library.name = number(handle, #name); \
+  if (library.name < 0) library.trouble = "it lacks " #name;
   OCTET_HDF5_NUMBERS(F)
 #undef F
   return library;
@@ -110,6 +112,7 @@ class Open {
  public:
   Open(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
   ~Open() {
+    const Quiet quiet(loaded());
     if (id_ >= 0) close_(id_);
   }
   Open(const Open&) = delete;
@@ -158,6 +161,8 @@ Hdf5File::Hdf5File(const OutputFile& file) : named_(file.named().string()) {
 }
 
 Hdf5File::~Hdf5File() {
+  if (array_ < 0 && file_ < 0) return;
+  const Quiet quiet(loaded());
   if (array_ >= 0) loaded().H5Dclose(array_);
   if (file_ >= 0) loaded().H5Fclose(file_);
 }
