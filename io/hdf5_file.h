@@ -17,8 +17,8 @@
 namespace octet {
 
 /// InputError, with what to do, when HDF5 files cannot be written: this build has no HDF5, or its library
-/// cannot be loaded. The library is loaded when it is first asked for, for with what it needs in turn it
-/// takes as long to load as a small part to mesh.
+/// cannot be loaded. The library is loaded when it is first asked for: with what it needs in turn it is
+/// 36 libraries, which no other run should wait for.
 void check_hdf5();
 
 /// Writes one file. HDF5 keeps its state for the whole process, so only one file is open at a time: others
