@@ -21,6 +21,15 @@ constexpr int kSweeps = 1, kLastSweeps = 2;
 /// Nothing is made worse than this for the mean (radians, 35 degrees): the tail of the shapes.
 constexpr double kPolishAngle = 0.611;
 
+/// What a tenth of all, or 3000, which take no time, come before in `values`; none where there are no more.
+std::optional<double> of_a_tenth(std::vector<double>& values, std::size_t all) {
+  const std::size_t few = std::max<std::size_t>(3000, all / 10);
+  if (values.size() <= few) return std::nullopt;
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(few);
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
 /// While the worst elements are worked on, and nothing that failed before is taken as failed.
 class Chase {
  public:
@@ -44,7 +53,7 @@ class Chase {
 /// Works on what is below the goal, or below what `chase_goal` makes of it, until nothing gives.
 void chase(Workshop& shop, double target, double goal, double polish, Observer& observer) {
   const Chase worst_first(shop);
-  goal = chase_goal(shop.mesh, target, goal);
+  goal = chase_goal(shop.mesh, std::min(target, shape_of_angle(kThinAngle)), goal);
   for (int pass = 0; pass < kPasses; ++pass) {
     const std::size_t done = improve_worst_first(shop, goal, observer);
     if (pass > 0 && done == 0) break;
@@ -56,8 +65,9 @@ void chase(Workshop& shop, double target, double goal, double polish, Observer& 
 void open_obtuse(Workshop& shop, Observer& observer) {
   constexpr int kObtusePasses = 3;
   const Chase worst_first(shop);
+  const double limit = obtuse_limit(shop.mesh);
   for (int pass = 0; pass < kObtusePasses; ++pass)
-    if (improve_obtuse(shop, kObtuse, observer) == 0) break;
+    if (improve_obtuse(shop, limit, observer) == 0) break;
 }
 
 /// Swaps, then moves vertices, for the mean.
@@ -127,7 +137,6 @@ void improve_all(Workshop& shop, double target, double polish, double chased, Ob
 }  // namespace
 
 double chase_goal(const WorkMesh& mesh, double least, double goal) {
-  constexpr std::size_t kFew = 3000;  // which takes no time
   std::vector<double> below;
   std::size_t alive = 0;
   for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
@@ -136,11 +145,26 @@ double chase_goal(const WorkMesh& mesh, double least, double goal) {
     ++alive;
     if (mesh.quality[t] < goal) below.push_back(mesh.quality[t]);
   }
-  const std::size_t chased = std::max(kFew, alive / 10);
-  if (below.size() <= chased) return goal;
-  const auto at = below.begin() + static_cast<std::ptrdiff_t>(chased);
-  std::nth_element(below.begin(), at, below.end());
-  return std::max(*at, least);
+  const std::optional<double> lower = of_a_tenth(below, alive);
+  return lower ? std::max(*lower, least) : goal;
+}
+
+double obtuse_limit(const WorkMesh& mesh) {
+  const double of_limit = squared_cotangent(kObtuse);
+  std::vector<double> above;
+  std::size_t alive = 0;
+  for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
+    const TetId t(i);
+    if (!mesh.alive(t)) continue;
+    ++alive;
+    // The shape is no more than the squared sine of any of the angles.
+    if (mesh.quality[t] >= shape_of_angle(kObtuse)) continue;
+    const double largest =
+        dihedral_cotangents(mesh.point(t, 0), mesh.point(t, 1), mesh.point(t, 2), mesh.point(t, 3)).largest;
+    if (largest < of_limit) above.push_back(largest);
+  }
+  const std::optional<double> higher = of_a_tenth(above, alive);
+  return higher ? angle_of_cotangent(*higher) : kObtuse;
 }
 
 bool is_worse(const DihedralExtremes& made, const DihedralExtremes& given) {

@@ -70,6 +70,13 @@ TEST(Improve, SmoothingInVainIsTriedAgainWhereSomethingHasChanged) {
   EXPECT_GT(work_of_a_sweep(), around_a_change) << "sweeps for the mean do not mark what they move";
 }
 
+/// A plate of one layer of elements, `thickness` times as thick as they are wide.
+WorkMesh plate_of(int cells, double thickness, testing::Dice& dice) {
+  Part part = testing::box_part({1, 1, thickness / cells}, cells, cells, 1);
+  testing::jitter(part.mesh, part.model, 0.1 / cells, dice);
+  return to_work_mesh(part.mesh);
+}
+
 TEST(ChaseGoal, IsWhatATenthFallShortOfWhereMostDo) {
   const auto below = [](const WorkMesh& mesh, double goal) {
     std::size_t count = 0;
@@ -78,12 +85,7 @@ TEST(ChaseGoal, IsWhatATenthFallShortOfWhereMostDo) {
   };
   testing::Dice dice(5);
   const double least = shape_of_angle(0.1), goal = shape_of_angle(0.5);
-  const auto plate = [&](int cells) {
-    Part part = testing::box_part({1, 1, 0.5 / cells}, cells, cells, 1);
-    testing::jitter(part.mesh, part.model, 0.1 / cells, dice);
-    return to_work_mesh(part.mesh);
-  };
-  const WorkMesh many = plate(100), few = plate(20);
+  const WorkMesh many = plate_of(100, 0.5, dice), few = plate_of(20, 0.5, dice);
   ASSERT_GT(below(many, goal), many.tets.size() / 2);
   const double lower = chase_goal(many, least, goal);
   EXPECT_GT(lower, least);
@@ -91,6 +93,45 @@ TEST(ChaseGoal, IsWhatATenthFallShortOfWhereMostDo) {
   EXPECT_EQ(chase_goal(many, 0.9 * goal, goal), 0.9 * goal);
   ASSERT_GT(below(few, goal), few.tets.size() / 2);
   EXPECT_EQ(chase_goal(few, least, goal), goal) << "so few take no time";
+}
+
+TEST(ObtuseLimit, IsWhatATenthAreAboveWhereMostAre) {
+  const auto above = [](const WorkMesh& mesh, double limit) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
+      const TetId t(i);
+      const auto at = [&](int corner) { return mesh.point(t, corner); };
+      count += dihedral_range(at(0), at(1), at(2), at(3)).largest > limit ? 1 : 0;
+    }
+    return count;
+  };
+  testing::Dice dice(5);
+  const WorkMesh many = plate_of(100, 0.1, dice), few = plate_of(20, 0.1, dice),
+                 thick = plate_of(100, 1.0, dice);
+  ASSERT_GT(above(many, kObtuse), many.tets.size() / 5);
+  const double limit = obtuse_limit(many);
+  EXPECT_GT(limit, kObtuse);
+  EXPECT_NEAR(static_cast<double>(above(many, limit)), 0.1 * static_cast<double>(many.tets.size()), 2.0);
+  ASSERT_GT(above(few, kObtuse), few.tets.size() / 5);
+  EXPECT_EQ(obtuse_limit(few), kObtuse) << "so few take no time";
+  EXPECT_EQ(obtuse_limit(thick), kObtuse);
+}
+
+TEST(Schedule, WhereMostElementsAreThinTheTargetAsksForNoMoreWork) {
+  testing::Dice dice(7);
+  Part part = testing::box_part({1, 1, 0.2 / 60}, 60, 60, 1);
+  testing::jitter(part.mesh, part.model, 0.1 / 60, dice);
+  const auto work_up_to = [&](double target) {
+    FinalizeOptions options = testing::options_of_size(1.0 / 60);
+    options.scope = FinalizeScope::kFast;
+    options.target_dihedral = target;
+    Workshop shop(to_work_mesh(part.mesh), part.model, options);
+    Observer observer;
+    (void)run_schedule(shop, Chosen::kByScope, observer);
+    return shop.work;
+  };
+  EXPECT_EQ(work_up_to(0.349), work_up_to(kThinAngle));
+  EXPECT_LT(work_up_to(0.1), work_up_to(kThinAngle)) << "it is what chasing takes";
 }
 
 TEST(Schedule, AMeshIsNoWorseForALittleOfItsLeastAngleWhereFewerFallShort) {
