@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "geom/facet_trim.h"
 #include "geom/model_data.h"
@@ -22,7 +24,13 @@ class ClosestQuery {
   ClosestQuery(const Model::Data& data, const Vec3& p, int face) : data_(data), p_(p), face_(face) {}
 
   std::optional<Foot> run(double max_distance) {
-    data_.bvh.near(p_, max_distance, face_, near_);
+    std::vector<FacetFoot> near;
+    data_.bvh.near(p_, max_distance, face_, near);
+    return run(max_distance, std::move(near));
+  }
+  /// `near`: what FacetBvh::near gives of p.
+  std::optional<Foot> run(double max_distance, std::vector<FacetFoot> near) {
+    near_ = std::move(near);
     if (near_.empty()) return std::nullopt;
     std::sort(near_.begin(), near_.end(), [&](const FacetFoot& a, const FacetFoot& b) {
       const int fa = face_of(a), fb = face_of(b);
@@ -196,6 +204,10 @@ class ClosestQuery {
 
 std::optional<Foot> Model::closest(const Vec3& p, double max_distance) const {
   return ClosestQuery(*data_, p, 0).run(max_distance);
+}
+
+std::optional<Foot> closest_of(const Model::Data& data, const Vec3& p, std::vector<FacetFoot> near) {
+  return ClosestQuery(data, p, 0).run(kInfinity, std::move(near));
 }
 
 Foot Model::face_closest(int tag, const Vec3& p) const {

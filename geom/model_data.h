@@ -66,6 +66,9 @@ struct Model::Data {
   }
 };
 
+/// Model::closest() where what FacetBvh::near gives of p is known already.
+std::optional<Foot> closest_of(const Model::Data& data, const Vec3& p, std::vector<FacetFoot> near);
+
 /// Model::intersect() without the questions of regions that settle the kind of events at vertices and where
 /// a face is grazed on an edge; for region_at() itself.
 void intersect_unsettled(const Model::Data& data, const Vec3& p, const Vec3& q, std::vector<Hit>& hits);

@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "geom/model_data.h"
 
@@ -161,8 +163,8 @@ int region_by_edge(const Model& model, const Model::Data& data, const Vec3& p, c
 }
 
 /// Near the boundary: the sign of the exact nearest point; rays where that is nearly tangent.
-int region_by_foot(const Model& model, const Model::Data& data, const Vec3& p) {
-  const auto foot = model.closest(p, kInfinity);
+int region_by_foot(const Model& model, const Model::Data& data, const Vec3& p, std::vector<FacetFoot> near) {
+  const auto foot = closest_of(data, p, std::move(near));
   if (!foot) return 0;
   const double height = foot->normal.dot(p - foot->point);
   int region = -1;
@@ -203,14 +205,19 @@ void Model::make_grid_once() const {
 }
 
 int Model::exact_region_at(const Vec3& p) const {
-  const auto nearest = data_->bvh.nearest(p, kInfinity);
-  if (!nearest) return 0;
-  const double band = 3.0 * data_->bvh.grow(nearest->triangle) + 8.0 * data_->tolerance;
-  if (nearest->distance > band) {
-    const int region = region_by_facets(*data_, p, *nearest);
+  std::vector<FacetFoot> near;
+  data_->bvh.near(p, kInfinity, 0, near);
+  if (near.empty()) return 0;
+  const FacetFoot& nearest =
+      *std::min_element(near.begin(), near.end(), [](const FacetFoot& a, const FacetFoot& b) {
+        return a.distance != b.distance ? a.distance < b.distance : a.triangle < b.triangle;
+      });
+  const double band = 3.0 * data_->bvh.grow(nearest.triangle) + 8.0 * data_->tolerance;
+  if (nearest.distance > band) {
+    const int region = region_by_facets(*data_, p, nearest);
     if (region >= 0) return region;
   }
-  return region_by_foot(*this, *data_, p);
+  return region_by_foot(*this, *data_, p, std::move(near));
 }
 
 }  // namespace octet
