@@ -21,9 +21,19 @@ constexpr int kSweeps = 1, kLastSweeps = 2;
 /// Nothing is made worse than this for the mean (radians, 35 degrees): the tail of the shapes.
 constexpr double kPolishAngle = 0.611;
 
-/// What a tenth of all, or 3000, which take no time, come before in `values`; none where there are no more.
-std::optional<double> of_a_tenth(std::vector<double>& values, std::size_t all) {
-  const std::size_t few = std::max<std::size_t>(3000, all / 10);
+/// The value that a tenth of the tetrahedra, or 3000, which take no time, come before, of those for which
+/// value_of(t) has one; none where no more have.
+template <class ValueOf>
+std::optional<double> of_a_tenth(const WorkMesh& mesh, const ValueOf& value_of) {
+  std::vector<double> values;
+  std::size_t alive = 0;
+  for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
+    const TetId t(i);
+    if (!mesh.alive(t)) continue;
+    ++alive;
+    if (const std::optional<double> value = value_of(t)) values.push_back(*value);
+  }
+  const std::size_t few = std::max<std::size_t>(3000, alive / 10);
   if (values.size() <= few) return std::nullopt;
   const auto at = values.begin() + static_cast<std::ptrdiff_t>(few);
   std::nth_element(values.begin(), at, values.end());
@@ -137,33 +147,19 @@ void improve_all(Workshop& shop, double target, double polish, double chased, Ob
 }  // namespace
 
 double chase_goal(const WorkMesh& mesh, double least, double goal) {
-  std::vector<double> below;
-  std::size_t alive = 0;
-  for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
-    const TetId t(i);
-    if (!mesh.alive(t)) continue;
-    ++alive;
-    if (mesh.quality[t] < goal) below.push_back(mesh.quality[t]);
-  }
-  const std::optional<double> lower = of_a_tenth(below, alive);
+  const std::optional<double> lower = of_a_tenth(
+      mesh, [&](TetId t) { return mesh.quality[t] < goal ? std::optional(mesh.quality[t]) : std::nullopt; });
   return lower ? std::max(*lower, least) : goal;
 }
 
 double obtuse_limit(const WorkMesh& mesh) {
-  const double of_limit = squared_cotangent(kObtuse);
-  std::vector<double> above;
-  std::size_t alive = 0;
-  for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
-    const TetId t(i);
-    if (!mesh.alive(t)) continue;
-    ++alive;
+  const std::optional<double> higher = of_a_tenth(mesh, [&](TetId t) -> std::optional<double> {
     // The shape is no more than the squared sine of any of the angles.
-    if (mesh.quality[t] >= shape_of_angle(kObtuse)) continue;
+    if (mesh.quality[t] >= shape_of_angle(kObtuse)) return std::nullopt;
     const double largest =
         dihedral_cotangents(mesh.point(t, 0), mesh.point(t, 1), mesh.point(t, 2), mesh.point(t, 3)).largest;
-    if (largest < of_limit) above.push_back(largest);
-  }
-  const std::optional<double> higher = of_a_tenth(above, alive);
+    return largest < squared_cotangent(kObtuse) ? std::optional(largest) : std::nullopt;
+  });
   return higher ? angle_of_cotangent(*higher) : kObtuse;
 }
 

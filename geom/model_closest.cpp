@@ -18,6 +18,12 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
+const FacetFoot& nearest_of(const std::vector<FacetFoot>& near) {
+  return *std::min_element(near.begin(), near.end(), [](const FacetFoot& a, const FacetFoot& b) {
+    return a.distance != b.distance ? a.distance < b.distance : a.triangle < b.triangle;
+  });
+}
+
 /// One nearest-point query over all faces or one.
 class ClosestQuery {
  public:
@@ -44,7 +50,7 @@ class ClosestQuery {
       while (end < near_.size() && face_of(near_[end]) == face_of(near_[begin])) ++end;
       meet_face(std::span(near_).subspan(begin, end - begin));
     }
-    if (best_.distance == kInfinity) take_untrimmed(nearest_facet());
+    if (best_.distance == kInfinity) take_untrimmed(nearest_of(near_));
     if (best_.distance > max_distance) return std::nullopt;
     if (best_.on.dim == 2) settle_on_edge();
     if (best_.on.dim == 1) settle_on_vertex(best_.on.tag);
@@ -53,12 +59,6 @@ class ClosestQuery {
 
  private:
   [[nodiscard]] int face_of(const FacetFoot& f) const { return data_.facets().face[f.triangle]; }
-
-  [[nodiscard]] const FacetFoot& nearest_facet() const {
-    return *std::min_element(near_.begin(), near_.end(), [](const FacetFoot& a, const FacetFoot& b) {
-      return a.distance != b.distance ? a.distance < b.distance : a.triangle < b.triangle;
-    });
-  }
 
   void meet_edges() {
     struct Nearest {

@@ -66,6 +66,9 @@ struct Model::Data {
   }
 };
 
+/// The nearest of what FacetBvh::near gives, of equals the lowest triangle.
+const FacetFoot& nearest_of(const std::vector<FacetFoot>& near);
+
 /// Model::closest() where what FacetBvh::near gives of p is known already.
 std::optional<Foot> closest_of(const Model::Data& data, const Vec3& p, std::vector<FacetFoot> near);
 

@@ -208,10 +208,7 @@ int Model::exact_region_at(const Vec3& p) const {
   std::vector<FacetFoot> near;
   data_->bvh.near(p, kInfinity, 0, near);
   if (near.empty()) return 0;
-  const FacetFoot& nearest =
-      *std::min_element(near.begin(), near.end(), [](const FacetFoot& a, const FacetFoot& b) {
-        return a.distance != b.distance ? a.distance < b.distance : a.triangle < b.triangle;
-      });
+  const FacetFoot& nearest = nearest_of(near);
   const double band = 3.0 * data_->bvh.grow(nearest.triangle) + 8.0 * data_->tolerance;
   if (nearest.distance > band) {
     const int region = region_by_facets(*data_, p, nearest);

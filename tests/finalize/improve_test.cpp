@@ -71,10 +71,10 @@ TEST(Improve, SmoothingInVainIsTriedAgainWhereSomethingHasChanged) {
 }
 
 /// A plate of one layer of elements, `thickness` times as thick as they are wide.
-WorkMesh plate_of(int cells, double thickness, testing::Dice& dice) {
+Part plate_of(int cells, double thickness, testing::Dice& dice) {
   Part part = testing::box_part({1, 1, thickness / cells}, cells, cells, 1);
   testing::jitter(part.mesh, part.model, 0.1 / cells, dice);
-  return to_work_mesh(part.mesh);
+  return part;
 }
 
 TEST(ChaseGoal, IsWhatATenthFallShortOfWhereMostDo) {
@@ -85,7 +85,8 @@ TEST(ChaseGoal, IsWhatATenthFallShortOfWhereMostDo) {
   };
   testing::Dice dice(5);
   const double least = shape_of_angle(0.1), goal = shape_of_angle(0.5);
-  const WorkMesh many = plate_of(100, 0.5, dice), few = plate_of(20, 0.5, dice);
+  const WorkMesh many = to_work_mesh(plate_of(100, 0.5, dice).mesh),
+                 few = to_work_mesh(plate_of(20, 0.5, dice).mesh);
   ASSERT_GT(below(many, goal), many.tets.size() / 2);
   const double lower = chase_goal(many, least, goal);
   EXPECT_GT(lower, least);
@@ -106,8 +107,9 @@ TEST(ObtuseLimit, IsWhatATenthAreAboveWhereMostAre) {
     return count;
   };
   testing::Dice dice(5);
-  const WorkMesh many = plate_of(100, 0.1, dice), few = plate_of(20, 0.1, dice),
-                 thick = plate_of(100, 1.0, dice);
+  const WorkMesh many = to_work_mesh(plate_of(100, 0.1, dice).mesh),
+                 few = to_work_mesh(plate_of(20, 0.1, dice).mesh),
+                 thick = to_work_mesh(plate_of(100, 1.0, dice).mesh);
   ASSERT_GT(above(many, kObtuse), many.tets.size() / 5);
   const double limit = obtuse_limit(many);
   EXPECT_GT(limit, kObtuse);
@@ -119,8 +121,7 @@ TEST(ObtuseLimit, IsWhatATenthAreAboveWhereMostAre) {
 
 TEST(Schedule, WhereMostElementsAreThinTheTargetAsksForNoMoreWork) {
   testing::Dice dice(7);
-  Part part = testing::box_part({1, 1, 0.2 / 60}, 60, 60, 1);
-  testing::jitter(part.mesh, part.model, 0.1 / 60, dice);
+  const Part part = plate_of(60, 0.2, dice);
   const auto work_up_to = [&](double target) {
     FinalizeOptions options = testing::options_of_size(1.0 / 60);
     options.scope = FinalizeScope::kFast;
