@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "octree/even_walls.h"
 #include "octree/gradation.h"
 
 namespace octet {
@@ -58,6 +59,15 @@ std::vector<SizeSample> octant_samples(const SizePlan& plan) {
   for (SizeSample& sample : samples)
     if (!sample.at_most) sample.size = longest_octant(sample.size);
   return samples;
+}
+
+Octree planned_octree(const Model& model, const SizePlan& plan, const std::array<double, 3>& shift) {
+  constexpr double kForRounding = 1.001;
+  OctreeRequest request = octant_request(plan);
+  request.shift = shift;
+  double longest = request.size;
+  for (const double size : request.region_size) longest = std::max(longest, size);
+  return with_even_walls(model, build_octree(model, request, octant_samples(plan)), kForRounding * longest);
 }
 
 }  // namespace octet

@@ -2,6 +2,7 @@
 // From edge lengths of the mesh to lengths of octants.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "geom/size_plan.h"
@@ -22,5 +23,10 @@ inline constexpr double kTetsPerOctant = 12.0;
 /// samples that say so.
 [[nodiscard]] OctreeRequest octant_request(const SizePlan& plan);
 [[nodiscard]] std::vector<SizeSample> octant_samples(const SizePlan& plan);
+
+/// The tree that a mesh is made from: octants as the plan has them, of one size on both sides of thin walls.
+/// `shift` as in OctreeRequest.
+[[nodiscard]] Octree planned_octree(const Model& model, const SizePlan& plan,
+                                    const std::array<double, 3>& shift = kRootShift);
 
 }  // namespace octet

@@ -175,9 +175,7 @@ class Run {
 
   [[nodiscard]] Octree build_tree() {
     begin("octree", 0.0);
-    OctreeRequest request = octant_request(plan_);
-    request.shift = options_.shift;
-    Octree tree = build_octree(model_, request, octant_samples(plan_));
+    Octree tree = planned_octree(model_, plan_, options_.shift);
     observer_.note(fmt::format("octree: {} octants, {} size samples", tree.size(), plan_.samples.size()));
     return tree;
   }

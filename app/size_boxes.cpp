@@ -9,7 +9,7 @@
 namespace octet {
 
 SizeBoxes size_boxes(const Model& model, const SizePlan& plan) {
-  const Octree tree = build_octree(model, octant_request(plan), octant_samples(plan));
+  const Octree tree = planned_octree(model, plan);
   const OctreeVertices vertices = octree_vertices(tree);
   const OctantTypes types = octant_types(model, tree);
   std::vector<std::uint32_t> number(vertices.size(), kNoVertex);

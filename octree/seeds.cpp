@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "geom/facet_bvh.h"
+#include "octree/even_walls.h"
 #include "octree/interior.h"
 #include "octree/seed_state.h"
 
@@ -130,12 +131,15 @@ class Vagueness {
   double widest_ = 0.0;
 };
 
+/// A wall of no more spacings: the layer of octree vertices in its middle stands or not by chance unless they
+/// may be near to its faces. One that is thin (kThinWall) has none: its elements, all of them from one sheet
+/// to the other, are better than those of two flat layers, and a third fewer.
+constexpr double kWall = 3.5;
+
 /// Whether p, whose nearest place on the surface is given, has the surface also on its other side, within a
-/// wall's thickness of so many sizes. The layer of octree vertices in the middle of such a wall stands or not
-/// by chance unless they may be near to its faces.
-bool is_in_wall(const Model& model, const Vec3& p, const Foot& surface, double spacing) {
-  constexpr double kThickness = 3.5;
-  const Vec3 across = (kThickness * spacing - surface.distance) * (p - surface.point) / surface.distance;
+/// wall's thickness, which is more than p's distance.
+bool is_in_wall(const Model& model, const Vec3& p, const Foot& surface, double thickness) {
+  const Vec3 across = (thickness - surface.distance) * (p - surface.point) / surface.distance;
   bool met = false;
   model.bvh().visit_segment(p, p + across, [&](std::uint32_t) { met = true; });
   return met;
@@ -162,14 +166,18 @@ void seed_octree_vertices(SeedState& state, const OctreeVertices& vertices, cons
     const Vec3 p = state.tree.position(vertices.at[v]);
     const double spacing = spacing_at(v), clear = options.octree_clearance * spacing;
     const double open_clear = std::max(options.octree_clearance, options.open_clearance) * spacing;
-    const std::optional<Foot> surface = ring[v] == 0 ? state.model.closest(p, open_clear) : std::nullopt;
-    const auto is_crowded = [&](double reach) {
-      return (surface && surface->distance < reach) ||
-             state.points_grid.any_within(p, reach, [](std::uint32_t, double) { return true; });
+    const double reach = std::max(open_clear, 0.5 * kThinWall * spacing);
+    const std::optional<Foot> surface = ring[v] == 0 ? state.model.closest(p, reach) : std::nullopt;
+    const auto is_crowded = [&](double clearance) {
+      return (surface && surface->distance < clearance) ||
+             state.points_grid.any_within(p, clearance, [](std::uint32_t, double) { return true; });
     };
-    if (is_crowded(clear) || is_vague(v)) return false;
-    return labels.vertex_region[v] == 0 || !is_crowded(open_clear) ||
-           (surface && is_in_wall(state.model, p, *surface, spacing));
+    const auto is_in_material = [&](double thickness) {
+      return labels.vertex_region[v] != 0 && surface &&
+             is_in_wall(state.model, p, *surface, thickness * spacing);
+    };
+    if (is_crowded(clear) || is_vague(v) || is_in_material(kThinWall)) return false;
+    return !is_crowded(open_clear) || is_in_material(kWall);
   };
   std::vector<std::uint8_t>& kept = seeds.octree_vertex_kept;
   kept.assign(vertices.size(), 0);

@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "geom/analytic.h"
+#include "octree/even_walls.h"
 #include "octree/seed_state.h"
 #include "tests/support/seed_points.h"
 
@@ -151,13 +152,14 @@ TEST(Seeds, BlocksOfManyCutsAreTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(places(), alone);
 }
 
-/// Of octree points inside, how near the nearest is to the surface, in local sizes.
-double nearest_octree_point(const Model& model, const Stage& stage) {
+/// Of octree points in a region, how near the nearest is to the surface, in local sizes; 1 where none is
+/// nearer.
+double nearest_octree_point(const Model& model, const Stage& stage, int region = 1) {
   double nearest = 1.0;
   const SeedPoints& points = stage.seeds.points;
   for (std::size_t n = stage.seeds.surface_points; n < points.size(); ++n) {
     EXPECT_EQ(points.on[n].dim, 3);
-    if (points.on[n].tag != 1) continue;
+    if (points.on[n].tag != region) continue;
     if (const auto foot = model.closest(points.position[n], points.spacing[n]))
       nearest = std::min(nearest, foot->distance / points.spacing[n]);
   }
@@ -183,6 +185,30 @@ TEST(Seeds, OctreeVerticesStandNearerToTheFacesOfWalls) {
   }
   EXPECT_GE(nearest, 0.4 * (1 - 1e-9));
   EXPECT_LT(nearest, 0.5);
+}
+
+TEST(Seeds, OctreeVerticesInVoidsKeepTheirDistanceFromTheSurface) {
+  double nearest = 1.0;
+  for (const double inner : {0.25, 0.28, 0.31, 0.34, 0.37, 0.4}) {
+    const Model model = analytic_hollow_ball(1.0, inner, {oblique(), 1e-3});
+    nearest = std::min(nearest, nearest_octree_point(model, seed(model, 0.25), 0));
+  }
+  EXPECT_GE(nearest, 0.55 * (1 - 1e-9));
+  EXPECT_LT(nearest, 1.0);
+}
+
+TEST(Seeds, NoOctreeVertexStandsInAThinWall) {
+  std::size_t in_thin = 0, in_thick = 0;
+  for (const double thickness : {0.15, 0.16, 0.17, 0.18, 0.19, 0.21, 0.22, 0.23, 0.24, 0.25}) {
+    const Model model = analytic_box(Vec3(1, 1.1, thickness), {oblique(), 1e-3});
+    const Stage stage = seed(model, 0.2);
+    const auto& on = stage.seeds.points.on;
+    const auto inside = static_cast<std::size_t>(std::count(on.begin(), on.end(), model_region(1)));
+    const double spacing = stage.tree.spacing_at(model.box().centre());
+    (thickness < kThinWall * spacing ? in_thin : in_thick) += inside;
+  }
+  EXPECT_EQ(in_thin, 0u);
+  EXPECT_GT(in_thick, 10u);
 }
 
 TEST(Seeds, NoOctreeVertexStandsWhereTheCadDoesNotKnowItsSide) {
