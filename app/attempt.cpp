@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "base/blocks.h"
 #include "base/predicates.h"
 #include "base/vertex_order.h"
+#include "octree/even_walls.h"
 #include "octree/tips.h"
 
 namespace octet {
@@ -113,6 +115,12 @@ class Subdivision {
   double finest_;
   std::vector<OctantId> octants_;
 };
+
+/// Octants subdivided on one side of a thin wall are subdivided on the other.
+Octree even(const Model& model, Octree tree) {
+  const double longest = tree.root_size();
+  return with_even_walls(model, std::move(tree), longest);
+}
 
 /// Points are triangulated at places rounded to 2^-40 of the root. Along the axes planes are then exactly
 /// flat and boxes of points exactly boxes, in parts that are turned as well: their axes are only as exact as
@@ -266,14 +274,15 @@ std::optional<Octree> subdivide_at_gaps(const Attempt& attempt, const Model& mod
     wanted.insert(wanted.end(), places.begin(), places.end());
   }
   subdivision.refine_to(wanted);
-  return std::move(subdivision).tree();
+  return even(model, std::move(subdivision).tree());
 }
 
-std::optional<Octree> subdivide_at(const Octree& tree, const std::vector<Vec3>& places, double finest) {
+std::optional<Octree> subdivide_at(const Octree& tree, const Model& model, const std::vector<Vec3>& places,
+                                   double finest) {
   Subdivision subdivision(tree, finest);
   for (const Vec3& place : places) subdivision.take_around(place);
   if (!subdivision.refine_taken()) return std::nullopt;
-  return std::move(subdivision).tree();
+  return even(model, std::move(subdivision).tree());
 }
 
 Openness openness(const std::vector<Gap>& gaps) {

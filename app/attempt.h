@@ -82,12 +82,12 @@ struct Openness {
 void find_all_gaps(Attempt& attempt);
 
 /// The tree with the octants around the gaps that are left, and those whose gaps took many points, refined
-/// once [Schroeder & Shephard 1990, "Octant subdivision"]; octants no longer than `finest` stay. None when
-/// none can be refined.
+/// once [Schroeder & Shephard 1990, "Octant subdivision"], and those across thin walls from them
+/// (octree/even_walls); octants no longer than `finest` stay. None when none can be refined.
 [[nodiscard]] std::optional<Octree> subdivide_at_gaps(const Attempt& attempt, const Model& model,
                                                       double finest);
 /// The same for octants around places where a mesh is at fault.
-[[nodiscard]] std::optional<Octree> subdivide_at(const Octree& tree, const std::vector<Vec3>& places,
-                                                 double finest);
+[[nodiscard]] std::optional<Octree> subdivide_at(const Octree& tree, const Model& model,
+                                                 const std::vector<Vec3>& places, double finest);
 
 }  // namespace octet

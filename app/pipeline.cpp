@@ -435,7 +435,7 @@ class Run {
   /// there.
   [[nodiscard]] std::optional<Octree> finer_at_faults() {
     const std::vector<Vec3> places = places_at_fault();
-    std::optional<Octree> finer = subdivide_at(tree(), places, 0.5 * finest_octant());
+    std::optional<Octree> finer = subdivide_at(tree(), model_, places, 0.5 * finest_octant());
     if (finer && !wish_) wish_ = tree();
     if (finer)
       observer_.note(fmt::format("faults at {} places: their octants subdivided, {} octants now",
