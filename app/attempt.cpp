@@ -116,12 +116,6 @@ class Subdivision {
   std::vector<OctantId> octants_;
 };
 
-/// Octants subdivided on one side of a thin wall are subdivided on the other.
-Octree even(const Model& model, Octree tree) {
-  const double longest = tree.root_size();
-  return with_even_walls(model, std::move(tree), longest);
-}
-
 /// Points are triangulated at places rounded to 2^-40 of the root. Along the axes planes are then exactly
 /// flat and boxes of points exactly boxes, in parts that are turned as well: their axes are only as exact as
 /// doubles are, and where noise decides on diagonals there are flat tetrahedra and shapes are worse.
@@ -274,7 +268,7 @@ std::optional<Octree> subdivide_at_gaps(const Attempt& attempt, const Model& mod
     wanted.insert(wanted.end(), places.begin(), places.end());
   }
   subdivision.refine_to(wanted);
-  return even(model, std::move(subdivision).tree());
+  return with_even_walls(model, std::move(subdivision).tree());
 }
 
 std::optional<Octree> subdivide_at(const Octree& tree, const Model& model, const std::vector<Vec3>& places,
@@ -282,7 +276,7 @@ std::optional<Octree> subdivide_at(const Octree& tree, const Model& model, const
   Subdivision subdivision(tree, finest);
   for (const Vec3& place : places) subdivision.take_around(place);
   if (!subdivision.refine_taken()) return std::nullopt;
-  return even(model, std::move(subdivision).tree());
+  return with_even_walls(model, std::move(subdivision).tree());
 }
 
 Openness openness(const std::vector<Gap>& gaps) {

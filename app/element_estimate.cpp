@@ -13,10 +13,11 @@ constexpr double kTetsPerBoundaryOctant = 7.0;
 
 }  // namespace
 
-// Not planned_octree(): looking for a size asks often, and thin walls with octants of two sizes have as many
-// elements as with those of one, for they take points that close gaps.
 double estimated_elements(const Model& model, const SizePlan& plan) {
-  const Octree tree = build_octree(model, octant_request(plan), octant_samples(plan));
+  return estimated_elements(model, build_octree(model, octant_request(plan), octant_samples(plan)));
+}
+
+double estimated_elements(const Model& model, const Octree& tree) {
   double elements = 0.0;
   for (const OctantType type : octant_types(model, tree).type) {
     if (type == OctantType::kIn) elements += kTetsPerOctant;

@@ -62,12 +62,9 @@ std::vector<SizeSample> octant_samples(const SizePlan& plan) {
 }
 
 Octree planned_octree(const Model& model, const SizePlan& plan, const std::array<double, 3>& shift) {
-  constexpr double kForRounding = 1.001;
   OctreeRequest request = octant_request(plan);
   request.shift = shift;
-  double longest = request.size;
-  for (const double size : request.region_size) longest = std::max(longest, size);
-  return with_even_walls(model, build_octree(model, request, octant_samples(plan)), kForRounding * longest);
+  return with_even_walls(model, build_octree(model, request, octant_samples(plan)));
 }
 
 }  // namespace octet

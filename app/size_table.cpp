@@ -64,7 +64,7 @@ std::map<ModelRef, EntitySize> entity_sizes(const SizePlan& plan) {
 }  // namespace
 
 std::string size_table(const std::string& part, const Model& model, const SizePlan& plan) {
-  const double elements = estimated_elements(model, plan);
+  const double elements = estimated_elements(model, planned_octree(model, plan));
   const double digit = std::pow(10.0, std::floor(std::log10(std::max(elements, 10.0))) - 1.0);
   std::string text = fmt::format(
       "{}\n  about {:.0f} tetrahedra, with edges of {:.4g} mm ({:.4g} asked for)\n", part,
@@ -80,7 +80,7 @@ std::string size_table(const std::string& part, const Model& model, const SizePl
 
 std::string size_table_json(const std::string& part, const Model& model, const SizePlan& plan) {
   nlohmann::ordered_json json{{"part", part}, {"size", plan.asked}, {"min_size", plan.min_size}};
-  json["estimated_elements"] = estimated_elements(model, plan);
+  json["estimated_elements"] = estimated_elements(model, planned_octree(model, plan));
   json["entities"] = nlohmann::ordered_json::array();
   for (const auto& [entity, size] : entity_sizes(plan))
     json["entities"].push_back({{"dim", entity.dim},

@@ -77,13 +77,8 @@ bool may_face_another(const Model& model, const Vec3& a, int face_of_a, const Ve
                       double reach) {
   constexpr double kLeastFacing = 0.05;  // of facets; planes at right angles have rounding
   const int between = model.face(face_of_a).region[side > 0 ? 1 : 0];
-  const Facets& facets = model.facets();
   return model.bvh().any_in_box(box_ahead(a, axis, reach), [&](std::uint32_t t) {
-    const auto [p, q, r] = facet_corners(facets, t);
-    const Vec3 normal = (q - p).cross(r - p);
-    const double along = normal.dot(axis);
-    if (std::abs(along) < kLeastFacing * normal.norm()) return false;
-    return model.face(facets.face[t]).region[along < 0.0 ? 1 : 0] == between;
+    return looks_back(model, t, axis, between, kLeastFacing);
   });
 }
 
@@ -128,6 +123,14 @@ double cosine_between(const Vec3& a, const Vec3& normal, const Foot& b) {
 
 bool face_each_other(const Vec3& a, const Vec3& normal, const Foot& b) {
   return cosine_between(a, normal, b) >= kFacing;
+}
+
+bool looks_back(const Model& model, std::uint32_t facet, const Vec3& axis, int between, double least) {
+  const auto [p, q, r] = facet_corners(model.facets(), facet);
+  const Vec3 normal = (q - p).cross(r - p);
+  const double along = normal.dot(axis);
+  if (std::abs(along) < least * normal.norm()) return false;
+  return model.face(model.facets().face[facet]).region[along < 0.0 ? 1 : 0] == between;
 }
 
 std::optional<Foot> facing_point(const Model& model, const Vec3& a, int face_of_a, const Vec3& normal,

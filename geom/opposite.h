@@ -2,6 +2,7 @@
 // The partner of a boundary point across a thin wall, a thin gap or a knife edge.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "geom/model.h"
@@ -23,6 +24,11 @@ namespace octet {
 
 /// Whether the sheets at a and at its opposite point b enclose less than 45 degrees.
 [[nodiscard]] bool face_each_other(const Vec3& a, const Vec3& normal, const Foot& b);
+
+/// Whether a facet stands across `axis`, the cosine of their angle no less than `least`, and has the region
+/// `between` on the side that looks back along it.
+[[nodiscard]] bool looks_back(const Model& model, std::uint32_t facet, const Vec3& axis, int between,
+                              double least);
 
 /// The opposite point where it lies within a face and that face faces a's sheet, none elsewhere. Most places
 /// have none, which the facets ahead tell: a twentieth of the cost.

@@ -10,11 +10,11 @@ namespace octet {
 /// in it, and its two sheets see each other's points.
 inline constexpr double kThinWall = 1.3;
 
-/// Splits octants on the boundary, none of which is longer than `longest`, until none has a smaller octant
-/// across a thin wall or gap. A ball that touches the coarser sheet only would be wider than the wall and
-/// hold points of the finer one, so that its points had no facets [docs/ARCHITECTURE.md, "Points"]. Across is
-/// where the normal at the place nearest to the octant's centre meets a sheet that faces it. Ends, for no
-/// octant gets smaller than one that there is.
-[[nodiscard]] Octree with_even_walls(const Model& model, Octree tree, double longest);
+/// Splits octants on the boundary until none has a smaller octant across a thin wall or gap. A ball that
+/// touches the coarser sheet only would be wider than the wall and hold points of the finer one, so that its
+/// points had no facets [docs/ARCHITECTURE.md, "Points"]. Across is where the normal at the place nearest to
+/// the octant's centre meets a sheet that faces it, not within a fiftieth of that reach: one octant holds
+/// both sheets there. Ends, for no octant gets smaller than one that there is.
+[[nodiscard]] Octree with_even_walls(const Model& model, Octree tree);
 
 }  // namespace octet

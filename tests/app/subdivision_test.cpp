@@ -2,8 +2,6 @@
 // Octants are subdivided where a mesh has faults, and where an attempt has gaps.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "app/attempt.h"
 #include "geom/analytic.h"
 #include "geom/occt/from_shape.h"
@@ -42,7 +40,7 @@ TEST(Subdivision, OctantsAcrossAThinWallAreHalvedAsWell) {
     Octree tree = unit_octants(model);
     for (int i = 0; i < 3; ++i)
       tree = subdivide_at(tree, model, {oblique.axes * Vec3(1, 1, thickness)}, 0.01).value();
-    EXPECT_EQ(with_even_walls(model, tree, 1.0).size(), tree.size()) << thickness;
+    EXPECT_EQ(with_even_walls(model, tree).size(), tree.size()) << thickness;
   }
 }
 
