@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Octants on both sides of a thin wall are of one size; elsewhere sizes are what they were.
+// Octants on both sides of a thin wall or gap are of one size; elsewhere sizes are what they were.
 #include "octree/even_walls.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "geom/analytic.h"
@@ -14,12 +15,20 @@ namespace {
 
 constexpr double kOctant = 0.2, kFine = 0.05;
 
+enum class Sheets { kOfAWall, kOfAGap };
+
+/// A plate, or a void of that shape in material all around.
+Model plate_of(double thickness, Sheets sheets) {
+  ModelParts parts = analytic_box(Vec3(2, 2, thickness), {{}, 1e-3}).parts();
+  if (sheets == Sheets::kOfAGap)
+    for (ModelFace& face : parts.faces) std::swap(face.region[0], face.region[1]);
+  return Model(std::move(parts));
+}
+
 /// Of a plate whose upper face wants small octants at its middle.
 struct Tree {
-  explicit Tree(double thickness)
-      : model(analytic_box(Vec3(2, 2, thickness), {{}, 1e-3})),
-        built(build(thickness)),
-        even(with_even_walls(model, built)) {
+  explicit Tree(double thickness, Sheets sheets = Sheets::kOfAWall)
+      : model(plate_of(thickness, sheets)), built(build(thickness)), even(with_even_walls(model, built)) {
     EXPECT_EQ(check_octree(even), "");
   }
   [[nodiscard]] Octree build(double thickness) const {
@@ -47,13 +56,14 @@ double greatest_ratio(const Octree& tree, double thickness) {
   return greatest;
 }
 
-TEST(EvenWalls, ThinOnesHaveOctantsOfOneSizeOnBothSides) {
+TEST(EvenWalls, ThinOnesAndGapsHaveOctantsOfOneSizeOnBothSides) {
   // The coarser octants beside the fine ones have spacings of 0.075: walls up to 0.0975 are thin to them.
-  for (const double thickness : {0.06, 0.07, 0.08, 0.09}) {
-    const Tree tree(thickness);
-    EXPECT_EQ(greatest_ratio(tree.built, thickness), 2.0) << thickness;
-    EXPECT_EQ(greatest_ratio(tree.even, thickness), 1.0) << thickness;
-  }
+  for (const Sheets sheets : {Sheets::kOfAWall, Sheets::kOfAGap})
+    for (const double thickness : {0.06, 0.07, 0.08, 0.09}) {
+      const Tree tree(thickness, sheets);
+      EXPECT_EQ(greatest_ratio(tree.built, thickness), 2.0) << thickness;
+      EXPECT_EQ(greatest_ratio(tree.even, thickness), 1.0) << thickness;
+    }
 }
 
 TEST(EvenWalls, ThickOnesHaveTheSizesAskedFor) {
