@@ -10,6 +10,7 @@
 #include "base/blocks.h"
 #include "base/error.h"
 #include "geom/face_match.h"
+#include "geom/facet_bvh.h"
 #include "geom/opposite.h"
 #include "octree/seed_state.h"
 
@@ -51,7 +52,9 @@ class FaceSeeder {
   /// A cut through a face, with its partners, if all of them are free. `spacing`: the octree's there.
   void offer(const Hit& hit, double spacing) {
     const FacePoint a{hit.point, hit.on.tag, spacing};
-    if (!is_free(a)) return;
+    if (!is_free(a) ||
+        (model_.is_plane(a.face) && is_beside_another(a, kWideSpacing) && has_room(a, hit.normal)))
+      return;
     std::vector<FacePoint> partners;
     for (const int side : {-1, 1}) {
       const std::optional<FacePoint> b = partner(a, hit.normal, side);
@@ -85,19 +88,8 @@ class FaceSeeder {
   /// Far enough from the points of the same face's closure, and outside the diametral ball of every edge
   /// piece.
   [[nodiscard]] bool is_free(const FacePoint& a) const {
-    const ModelRef face = model_face(a.face);
-    const double spacing = (model_.is_plane(a.face) ? kPlaneSpacing : kFaceSpacing) * a.size;
+    if (is_crowded(a, model_.is_plane(a.face) ? kPlaneSpacing : kFaceSpacing)) return false;
     const SeedPoints& points = state_.seeds.points;
-    const auto keeps_out = [&](ModelRef on, const Vec3& p) {
-      return model_.in_closure(on, face) && !(on == face && are_sheets(a, p));
-    };
-    if (own_grid_.any_within(
-            a.p, spacing,
-            [&](std::uint32_t n, double) { return own_[n].face == a.face && !are_sheets(a, own_[n].p); }) ||
-        state_.points_grid.any_within(a.p, spacing, [&](std::uint32_t n, double) {
-          return keeps_out(points.on[n], points.position[n]);
-        }))
-      return false;
     const auto is_within = [&](std::uint32_t n) {
       const EdgePiece& piece = state_.seeds.pieces[n];
       return (a.p - points.position[piece.a]).dot(a.p - points.position[piece.b]) < 0.0;
@@ -105,6 +97,49 @@ class FaceSeeder {
     return !state_.piece_grid.any_within(a.p, a.size, [&](std::uint32_t n, double) {
       return is_within(n);
     }) && std::none_of(state_.long_pieces.begin(), state_.long_pieces.end(), is_within);
+  }
+
+  /// Whether a point of the same face's closure is within this share of the spacing.
+  [[nodiscard]] bool is_crowded(const FacePoint& a, double share) const {
+    const ModelRef face = model_face(a.face);
+    const SeedPoints& points = state_.seeds.points;
+    return is_beside_another(a, share) ||
+           state_.points_grid.any_within(a.p, share * a.size, [&](std::uint32_t n, double) {
+             return points.on[n].dim < 2 && model_.in_closure(points.on[n], face);
+           });
+  }
+
+  /// The same for points within the face.
+  [[nodiscard]] bool is_beside_another(const FacePoint& a, double share) const {
+    const ModelRef face = model_face(a.face);
+    const SeedPoints& points = state_.seeds.points;
+    const double spacing = share * a.size;
+    return own_grid_.any_within(a.p, spacing, [&](std::uint32_t n, double) {
+      return own_[n].face == a.face && !are_sheets(a, own_[n].p);
+    }) || state_.points_grid.any_within(a.p, spacing, [&](std::uint32_t n, double) {
+      return points.on[n] == face && !are_sheets(a, points.position[n]);
+    });
+  }
+
+  /// Whether no other face comes near and octants in the material are of one size, so that cuts are dense and
+  /// the elements behind them as large.
+  [[nodiscard]] bool has_room(const FacePoint& a, const Vec3& normal) const {
+    constexpr double kRoom = 6.0;  // in spacings: fewer layers of elements want smaller triangles
+    const double octant = a.size / kSpacingPerOctant;
+    for (const int side : {-1, 1}) {
+      const Vec3 across = side * normal;
+      const auto is_alike = [&](double octants) {
+        return state_.tree.spacing_at(a.p + octants * octant * across) == a.size;
+      };
+      const bool is_open = model_.face(a.face).region[side > 0 ? 1 : 0] == 0;
+      if (!is_open && !(is_alike(0.5) && is_alike(1.5))) return false;
+      bool met = false;
+      const Vec3 end = a.p + kRoom * a.size * across;
+      model_.bvh().visit_segment(
+          a.p, end, [&](std::uint32_t) { met = true; }, a.face);
+      if (met) return false;
+    }
+    return true;
   }
 
   /// Whether the point and p are on two sheets of the face that face each other, of one that meets itself: as
@@ -165,7 +200,8 @@ class CutBlocks {
   /// In spacings of the cut in the middle, were they in the order of spacings.
   static constexpr double kLength = 24.0;
   /// In spacings: two partners' distances, and what keeps a partner out, with room for rounding.
-  static constexpr double kReach = 2.0 * kMatchDistance + std::max(kFaceSpacing, kPlaneSpacing) + 0.1;
+  static constexpr double kReach =
+      2.0 * kMatchDistance + std::max({kFaceSpacing, kPlaneSpacing, kWideSpacing}) + 0.1;
 
   /// The colour in front, so that blocks sorted are in the order of colours.
   [[nodiscard]] std::uint64_t block_of(const Vec3& p) const;

@@ -14,6 +14,8 @@ namespace octet {
 // Shares of the local size, as docs/ARCHITECTURE.md ("Points") has them.
 /// Between points in the closure of one face: of a curved one, whose triangles are chords, and of a plane.
 inline constexpr double kFaceSpacing = 0.7, kPlaneSpacing = 0.8;
+/// The same on planes with much room on both sides.
+inline constexpr double kWideSpacing = 0.95;
 /// Sheets and edges closer than this get matched pairs.
 inline constexpr double kMatchDistance = 0.7;
 /// Cuts are gone through in blocks of space, in parallel, where there are as many; else in their order.

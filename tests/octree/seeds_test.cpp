@@ -93,28 +93,40 @@ TEST(Seeds, PointsLieOnTheirEntities) {
   }
 }
 
-/// The least distance between a point on a face and others of its closure, in spacings of octants of `size`.
-double least_on_a_face(const Model& model, double size) {
+/// Of each point on a face the distance to the nearest other of its closure, in spacings of octants of
+/// `size`, in ascending order.
+std::vector<double> distances_on_faces(const Model& model, double size) {
   const Stage stage = seed(model, size);
   const SeedPoints& points = stage.seeds.points;
-  double least = 10.0;
+  std::vector<double> distances;
   for (std::size_t i = 0; i < stage.seeds.surface_points; ++i) {
     if (points.on[i].dim != 2) continue;
+    distances.push_back(10.0);
     for (std::size_t j = 0; j < stage.seeds.surface_points; ++j)
       if (i != j && model.in_closure(points.on[j], points.on[i]))
-        least =
-            std::min(least, (points.position[i] - points.position[j]).norm() / (kSpacingPerOctant * size));
+        distances.back() = std::min(
+            distances.back(), (points.position[i] - points.position[j]).norm() / (kSpacingPerOctant * size));
   }
-  return least;
+  std::sort(distances.begin(), distances.end());
+  return distances;
 }
 
 TEST(Seeds, FacePointsKeepTheirDistanceFromTheClosureOfTheirFace) {
-  const double on_planes = least_on_a_face(analytic_box(Vec3(1, 1.3, 0.9), {oblique(), 1e-3}), 0.2);
-  EXPECT_GT(on_planes, 0.8 * (1 - 1e-6));
-  EXPECT_LT(on_planes, 0.9);
-  const double on_a_ball = least_on_a_face(analytic_ball(1.0, {oblique(), 1e-3}), 0.25);
-  EXPECT_GT(on_a_ball, 0.7 * (1 - 1e-6));
-  EXPECT_LT(on_a_ball, 0.8) << "chords of curved faces are shorter";
+  const auto on_planes = distances_on_faces(analytic_box(Vec3(1, 1.3, 0.8), {oblique(), 1e-3}), 0.2);
+  EXPECT_GT(on_planes.front(), 0.8 * (1 - 1e-6));
+  EXPECT_LT(on_planes.front(), 0.9);
+  const auto on_a_ball = distances_on_faces(analytic_ball(1.0, {oblique(), 1e-3}), 0.25);
+  EXPECT_GT(on_a_ball.front(), 0.7 * (1 - 1e-6));
+  EXPECT_LT(on_a_ball.front(), 0.8) << "chords of curved faces are shorter";
+}
+
+TEST(Seeds, PointsOnPlanesStandWiderWhereThereIsRoom) {
+  for (const Frame& frame : {Frame(), oblique()}) {
+    const auto thick = distances_on_faces(analytic_box(Vec3(1, 1.3, 0.9), {frame, 1e-3}), 0.1);
+    EXPECT_GT(thick[thick.size() / 4], 0.95 * (1 - 1e-6));
+    const auto thin = distances_on_faces(analytic_box(Vec3(1, 1.3, 0.4), {frame, 1e-3}), 0.1);
+    EXPECT_LT(thin[thin.size() / 4], 0.95) << "a few layers of elements";
+  }
 }
 
 TEST(Seeds, BlocksOfManyCutsKeepOneAnothersDistance) {
