@@ -124,7 +124,7 @@ class FaceSeeder {
   /// Whether no other face comes near and octants in the material are of one size, so that cuts are dense and
   /// the elements behind them as large.
   [[nodiscard]] bool has_room(const FacePoint& a, const Vec3& normal) const {
-    constexpr double kRoom = 6.0;  // in spacings: fewer layers of elements want smaller triangles
+    constexpr double kRoom = 2.2;  // in spacings: layers of one or two elements want smaller triangles
     const double octant = a.size / kSpacingPerOctant;
     for (const int side : {-1, 1}) {
       const Vec3 across = side * normal;
