@@ -53,7 +53,7 @@ class FaceSeeder {
   void offer(const Hit& hit, double spacing) {
     const FacePoint a{hit.point, hit.on.tag, spacing};
     if (!is_free(a) ||
-        (model_.is_plane(a.face) && is_beside_another(a, kWideSpacing) && has_room(a, hit.normal)))
+        (model_.is_plane(a.face) && is_crowded(a, kWideSpacing, Among::kFace) && has_room(a, hit.normal)))
       return;
     std::vector<FacePoint> partners;
     for (const int side : {-1, 1}) {
@@ -88,7 +88,7 @@ class FaceSeeder {
   /// Far enough from the points of the same face's closure, and outside the diametral ball of every edge
   /// piece.
   [[nodiscard]] bool is_free(const FacePoint& a) const {
-    if (is_crowded(a, model_.is_plane(a.face) ? kPlaneSpacing : kFaceSpacing)) return false;
+    if (is_crowded(a, model_.is_plane(a.face) ? kPlaneSpacing : kFaceSpacing, Among::kClosure)) return false;
     const SeedPoints& points = state_.seeds.points;
     const auto is_within = [&](std::uint32_t n) {
       const EdgePiece& piece = state_.seeds.pieces[n];
@@ -99,25 +99,21 @@ class FaceSeeder {
     }) && std::none_of(state_.long_pieces.begin(), state_.long_pieces.end(), is_within);
   }
 
-  /// Whether a point of the same face's closure is within this share of the spacing.
-  [[nodiscard]] bool is_crowded(const FacePoint& a, double share) const {
-    const ModelRef face = model_face(a.face);
-    const SeedPoints& points = state_.seeds.points;
-    return is_beside_another(a, share) ||
-           state_.points_grid.any_within(a.p, share * a.size, [&](std::uint32_t n, double) {
-             return points.on[n].dim < 2 && model_.in_closure(points.on[n], face);
-           });
-  }
+  /// Which points keep another out of a face.
+  enum class Among { kFace, kClosure };
 
-  /// The same for points within the face.
-  [[nodiscard]] bool is_beside_another(const FacePoint& a, double share) const {
+  /// Whether one of these points is within this share of the spacing.
+  [[nodiscard]] bool is_crowded(const FacePoint& a, double share, Among among) const {
     const ModelRef face = model_face(a.face);
-    const SeedPoints& points = state_.seeds.points;
     const double spacing = share * a.size;
+    const SeedPoints& points = state_.seeds.points;
+    const auto keeps_out = [&](ModelRef on, const Vec3& p) {
+      return on == face ? !are_sheets(a, p) : among == Among::kClosure && model_.in_closure(on, face);
+    };
     return own_grid_.any_within(a.p, spacing, [&](std::uint32_t n, double) {
       return own_[n].face == a.face && !are_sheets(a, own_[n].p);
     }) || state_.points_grid.any_within(a.p, spacing, [&](std::uint32_t n, double) {
-      return points.on[n] == face && !are_sheets(a, points.position[n]);
+      return keeps_out(points.on[n], points.position[n]);
     });
   }
 
