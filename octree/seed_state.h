@@ -14,7 +14,7 @@ namespace octet {
 // Shares of the local size, as docs/ARCHITECTURE.md ("Points") has them.
 /// Between points in the closure of one face: of a curved one, whose triangles are chords, and of a plane.
 inline constexpr double kFaceSpacing = 0.7, kPlaneSpacing = 0.8;
-/// The same on planes with much room on both sides.
+/// Between points within a plane that has room on both sides; from those on its edges they keep the former.
 inline constexpr double kWideSpacing = 0.95;
 /// Sheets and edges closer than this get matched pairs.
 inline constexpr double kMatchDistance = 0.7;
