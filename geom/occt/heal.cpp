@@ -20,6 +20,7 @@
 #include "geom/occt/crossed_sides.h"
 #include "geom/occt/edge_uses.h"
 #include "geom/occt/entity_names.h"
+#include "geom/occt/face_volumes.h"
 #include "geom/occt/folds.h"
 #include "geom/occt/hairlines.h"
 #include "geom/occt/missing_poles.h"
@@ -42,6 +43,21 @@ namespace {
 /// What changes more of a solid's volume, all together, is no small feature of it: the solid is one, or a
 /// sheet.
 constexpr double kMostVolumeShare = 0.05;
+/// And less than this of the cube of its diagonal is not as much of any solid that can be meshed.
+constexpr double kSurelyLittle = 1e-9;
+
+/// A solid before anything was taken away from it.
+struct Original {
+  explicit Original(const TopoDS_Shape& as_is) : Original(as_is, vertex_box_of(as_is)) {}
+  Original(const TopoDS_Shape& as_is, const Bnd_Box& box)
+      : solid(as_is),
+        volumes(box.IsVoid() ? gp_Pnt() : gp_Pnt(0.5 * (box.CornerMin().XYZ() + box.CornerMax().XYZ()))),
+        surely_little(kSurelyLittle * std::pow(diagonal_of(box), 3.0)) {}
+
+  TopoDS_Shape solid;
+  FaceVolumes volumes;
+  double surely_little;  ///< a change of volume that is little whatever the volume is
+};
 
 class Healer {
  public:
@@ -63,7 +79,7 @@ class Healer {
     redraw_strays();
     for (std::size_t i = 0; i < set_.solids.size(); ++i) {
       log_(fmt::format("checking {}", names_.solid(set_.solids[i])));
-      volume_.reset();
+      original_.reset();
       curves_.add_pole_edges(set_.solids[i]);
       turn_faces(set_.solids[i]);
       restore_poles(set_.solids[i]);
@@ -165,10 +181,12 @@ class Healer {
     replace(solid, sewn.solids.front());
   }
 
-  /// Whether the solid, once it has this volume, is what it was before any small feature was taken away.
-  [[nodiscard]] bool keeps_volume(const TopoDS_Shape& solid, double after) {
-    if (!volume_) volume_ = volume_of(solid);
-    return std::abs(after - *volume_) <= kMostVolumeShare * std::abs(*volume_);
+  /// Whether the solid, repaired, bounds what it did before any small feature was taken away.
+  [[nodiscard]] bool keeps_volume(const TopoDS_Shape& solid, const TopoDS_Shape& repaired) {
+    if (!original_) original_.emplace(solid);
+    const double change = std::abs(original_->volumes.change(original_->solid, repaired));
+    return change <= original_->surely_little ||
+           change <= kMostVolumeShare * std::abs(original_->volumes.of(original_->solid));
   }
 
   /// Takes the repaired solid where it is as closed as it was and bounds as much, and adds the curves that
@@ -178,11 +196,11 @@ class Healer {
     const bool closed = edge_uses(solid).first(&Uses::open) == 0;
     if (closed && edge_uses(repair.solid).first(&Uses::open) != 0) return;
     const bool edges = dim == 1;
-    const double after = volume_of(repair.solid);
-    if (closed && !keeps_volume(solid, after)) {
+    if (closed && !keeps_volume(solid, repair.solid)) {
       set_.notes.push_back(fmt::format(
           "{} keeps {} small {}(s), for without them its volume would change from {:.6g} to {:.6g} mm^3: {}",
-          names_.solid(solid), repair.entities.size(), edges ? "edge" : "face", *volume_, after,
+          names_.solid(solid), repair.entities.size(), edges ? "edge" : "face",
+          original_->volumes.of(original_->solid), original_->volumes.of(repair.solid),
           names_.listed(edges ? "Edge" : "Face", dim, repair.entities)));
       return;
     }
@@ -228,7 +246,7 @@ class Healer {
     const Repair split = split_crossed_sides(solid);
     if (split.entities.empty()) return;
     const Repair closed = close_hairlines(split.solid, smallest);
-    if (closed.entities.empty() || !keeps_volume(solid, volume_of(closed.solid))) return;
+    if (closed.entities.empty() || !keeps_volume(solid, closed.solid)) return;
     adopt(solid, split, 1,
           "cross a side beside them that they lie on within the tolerance, and were split there");
   }
@@ -289,7 +307,7 @@ class Healer {
   SolidSet& set_;
   EntityNames names_;
   MissingCurves curves_;
-  std::optional<double> volume_;  ///< of the solid in hand, before anything was taken away
+  std::optional<Original> original_;  ///< of the solid in hand
 };
 
 }  // namespace

@@ -230,13 +230,40 @@ std::vector<CurveRenewed> loose_curves(const TopoDS_Face& face, double apart) {
   return loose;
 }
 
+/// No more than about twice the area over the perimeter: for the area, the length of its vector, which edges
+/// alone tell (that of a face around an axis is short, or nothing).
+double least_width(const TopoDS_Face& face) {
+  constexpr int kPieces = 24;
+  Vec3 twice_area = Vec3::Zero();
+  double perimeter = 0.0;
+  std::optional<Vec3> origin;
+  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
+    const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
+    if (BRep_Tool::Degenerated(edge)) continue;
+    double first = 0.0, last = 0.0;
+    const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, first, last);
+    if (curve.IsNull()) return 0.0;
+    const double way = edge.Orientation() == TopAbs_REVERSED ? -1.0 : 1.0;
+    Vec3 from = to_vec(curve->Value(first));
+    if (!origin) origin = from;
+    for (int i = 1; i <= kPieces; ++i) {
+      const Vec3 to = to_vec(curve->Value(first + (last - first) * i / kPieces));
+      twice_area += way * (from - *origin).cross(to - *origin);
+      perimeter += (to - from).norm();
+      from = to;
+    }
+  }
+  return perimeter > 0.0 ? twice_area.norm() / perimeter : 0.0;
+}
+
 /// Whether the face is no wider than what its curves are off: whatever its surface is, it is an edge to the
 /// faces beside it, and the tolerance of its sides says so.
 bool is_strip(const TopoDS_Face& face, const std::vector<CurveRenewed>& loose) {
   constexpr double kOfWidth = 0.25;
   double widest = 0.0;
   for (const CurveRenewed& one : loose) widest = std::max(widest, one.gap);
-  return widest > kOfWidth * width_of(face);
+  constexpr double kSurely = 2.0;
+  return widest * kSurely > kOfWidth * least_width(face) && widest > kOfWidth * width_of(face);
 }
 
 }  // namespace
