@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -22,6 +24,9 @@ using Mesher = std::function<MeshResult(const Model&)>;
 
 /// Of the diagonal: nothing larger is taken away for a file's word alone.
 constexpr double kMostByAccuracy = 1e-5;
+/// Of the diagonal, of the cube root of the least solid's volume, and of the size asked for: what is smaller
+/// than all of these no element resolves.
+constexpr double kOfDiagonal = 1e-4, kOfLeastSolid = 4e-4, kOfSize = 1e-2;
 
 struct ReadFile {
   Model model;
@@ -48,11 +53,36 @@ std::size_t faults_of_mesh(const MeshedFile& made) {
          std::min(made.result.report.faults.size(), made.model.parts().faults.size());
 }
 
-/// What may be taken away for the file's word, mm; 0: no more than has been.
-double smallest_by_accuracy(const Model& model, const ReadOptions& reading) {
-  if (reading.smallest_feature > 0.0) return 0.0;
-  const double smallest = std::min(model.parts().accuracy, kMostByAccuracy * model.diagonal());
-  return smallest > kRoundingShare * model.diagonal() ? smallest : 0.0;
+/// What may be taken away, and why.
+struct Smallest {
+  double length;  ///< mm
+  std::string reason;
+};
+
+double cube_root_of_least_volume(const Model& model) {
+  double least = std::numeric_limits<double>::infinity();
+  for (int r = 1; r <= model.count(3); ++r) least = std::min(least, std::abs(model.region(r).volume));
+  return std::cbrt(least);
+}
+
+/// One that is easily typed.
+double short_number(double value) { return std::stod(fmt::format("{:.1e}", value)); }
+
+/// From the least on; none where that would be no more than has gone, or the caller has said what may go.
+std::vector<Smallest> smallest_to_try(const MeshedFile& first, const ReadOptions& reading) {
+  std::vector<Smallest> tries;
+  if (reading.smallest_feature > 0.0) return tries;
+  const double diagonal = first.model.diagonal(), accuracy = first.model.parts().accuracy,
+               size = first.result.report.size;
+  const double by_accuracy = std::min(accuracy, kMostByAccuracy * diagonal),
+               by_size = std::min({kOfDiagonal * diagonal, kOfSize * size,
+                                   kOfLeastSolid * cube_root_of_least_volume(first.model)});
+  if (by_accuracy > kRoundingShare * diagonal)
+    tries.push_back(
+        {by_accuracy, fmt::format("the file is accurate to {:.4g} mm by its own word", accuracy)});
+  if (by_size > std::max(by_accuracy, kRoundingShare * diagonal))
+    tries.push_back({short_number(by_size), fmt::format("the size is {:.4g} mm", size)});
+  return tries;
 }
 
 /// None: nothing went, or what is left cannot be meshed.
@@ -100,26 +130,29 @@ MeshedFile mesh_file(const std::filesystem::path& path, const ReadOptions& readi
                      Observer& observer) {
   StageClock clock;
   MeshedFile first = mesh_read(read_file(path, reading, observer), mesh);
-  const double smallest = smallest_by_accuracy(first.model, reading);
-  if (faults_of_mesh(first) == 0 || smallest == 0.0) return first;
-  observer.note(
-      fmt::format("once more without what is smaller than {:.4g} mm, for the file is accurate to "
-                  "{:.4g} mm",
-                  smallest, first.model.parts().accuracy));
+  if (faults_of_mesh(first) == 0) return first;
   const StageTime first_time = clock.lap("other tries");
-  std::optional<MeshedFile> second = without_smaller(path, reading, mesh, smallest, first.model, observer);
-  const StageTime second_time = clock.lap("other tries");
-  if (!second || faults_of_mesh(*second) > 0) {
-    add_other_try(first.result.report.times, second_time);
-    return first;
+  std::vector<StageTime> in_vain;
+  for (const Smallest& smallest : smallest_to_try(first, reading)) {
+    observer.note(fmt::format("once more without what is smaller than {:.4g} mm, for {}", smallest.length,
+                              smallest.reason));
+    std::optional<MeshedFile> second =
+        without_smaller(path, reading, mesh, smallest.length, first.model, observer);
+    if (!second || faults_of_mesh(*second) > 0) {
+      in_vain.push_back(clock.lap("other tries"));
+      continue;
+    }
+    in_vain.push_back(first_time);
+    for (const StageTime& time : in_vain) add_other_try(second->result.report.times, time);
+    second->model = with_first_note(
+        second->model,
+        fmt::format("what is smaller than {:.4g} mm was taken away, as with --defeature {}: with it the mesh "
+                    "had {} faults, and {}",
+                    smallest.length, smallest.length, faults_of_mesh(first), smallest.reason));
+    return *std::move(second);
   }
-  add_other_try(second->result.report.times, first_time);
-  second->model = with_first_note(
-      second->model,
-      fmt::format("what is smaller than {:.4g} mm was taken away, as with --defeature {}: with it the mesh "
-                  "had {} faults, and the file is accurate to {:.4g} mm by its own word",
-                  smallest, smallest, faults_of_mesh(first), first.model.parts().accuracy));
-  return *std::move(second);
+  for (const StageTime& time : in_vain) add_other_try(first.result.report.times, time);
+  return first;
 }
 
 }  // namespace octet

@@ -94,7 +94,7 @@ class FaceSeeder {
       const EdgePiece& piece = state_.seeds.pieces[n];
       return (a.p - points.position[piece.a]).dot(a.p - points.position[piece.b]) < 0.0;
     };
-    return !state_.piece_grid.any_within(a.p, a.size, [&](std::uint32_t n, double) {
+    return !state_.piece_grid.any_around(a.p, a.size, [&](std::uint32_t n, double) {
       return is_within(n);
     }) && std::none_of(state_.long_pieces.begin(), state_.long_pieces.end(), is_within);
   }

@@ -53,6 +53,25 @@ class PointGrid {
     return false;
   }
 
+  /// As any_within() with a radius that is no more than half the spacing that each point was added with, or
+  /// than r where that is less: for points that are middles of balls of that diameter.
+  template <class Visit>
+  bool any_around(const Vec3& at, double r, const Visit& visit) const {
+    for (int level = 0; used_ >> level != 0 && level < kLevels; ++level) {
+      if (!(used_ >> level & 1)) continue;
+      // A point of this level was added with no more than the cell's length, but on level 0.
+      const double reach = level == 0 ? r : std::min(r, std::ldexp(0.5 * unit_, -level));
+      const Query<Visit> query{at, at - Vec3::Constant(reach), at + Vec3::Constant(reach), reach * reach,
+                               visit};
+      const Index lo = cell(query.lo, level), hi = cell(query.hi, level);
+      for (std::int64_t i = lo.x; i <= hi.x; ++i)
+        for (std::int64_t j = lo.y; j <= hi.y; ++j)
+          for (std::int64_t k = lo.z; k <= hi.z; ++k)
+            if (visit_cell(query, level, {i, j, k}, false)) return true;
+    }
+    return false;
+  }
+
  private:
   static constexpr int kLevels = 19;
   static constexpr std::uint32_t kNoEntry = UINT32_MAX;

@@ -21,6 +21,7 @@ class MeshFile : public testing::Test {
     const auto mesh = [&](const Model& model) {
       faces_.push_back(model.count(2));
       MeshResult result;
+      result.report.size = size_;
       result.report.faults.resize(model.count(2) == 7 ? 3 : left);
       if (result.report.faults.empty()) result.report.status = MeshStatus::kComplete;
       return result;
@@ -30,6 +31,7 @@ class MeshFile : public testing::Test {
   }
 
   std::vector<int> faces_;  ///< of the models that were meshed
+  double size_ = 0.01;      ///< that the mesher tells
 };
 
 TEST_F(MeshFile, IsMadeAgainWithoutWhatTheFileIsNotAccurateTo) {
@@ -63,6 +65,37 @@ TEST_F(MeshFile, IsMadeOnceWhereASmallestFeatureIsGiven) {
   ReadOptions reading;
   reading.smallest_feature = 2e-4;
   EXPECT_EQ(run("0.01", 0, reading).model.count(2), 7);
+  EXPECT_EQ(faces_, (std::vector<int>{7}));
+}
+
+TEST_F(MeshFile, IsMadeAgainWithoutWhatNoElementResolves) {
+  size_ = 10.0;
+  const MeshedFile made = run("1.E-07", 0);
+  EXPECT_EQ(faces_, (std::vector<int>{7, 6}));
+  EXPECT_EQ(made.model.count(2), 6);
+  EXPECT_EQ(made.result.report.status, MeshStatus::kComplete);
+  ASSERT_FALSE(made.model.notes().empty());
+  // 1e-4 of the diagonal of 173.2 mm.
+  const std::string& note = made.model.notes().front();
+  EXPECT_NE(note.find("what is smaller than 0.017 mm was taken away, as with --defeature 0.017:"),
+            std::string::npos)
+      << note;
+  EXPECT_NE(note.find("with it the mesh had 3 faults, and the size is 10 mm"), std::string::npos) << note;
+  ASSERT_EQ(made.result.report.times.size(), 2u);
+  EXPECT_EQ(made.result.report.times[0].name, "other tries");
+}
+
+TEST_F(MeshFile, TriesTheFilesWordBeforeTheSize) {
+  size_ = 10.0;
+  const MeshedFile made = run("0.01", 1);
+  EXPECT_EQ(faces_, (std::vector<int>{7, 6, 6}));
+  EXPECT_EQ(made.model.count(2), 7);
+  EXPECT_EQ(made.result.report.faults.size(), 3u);
+}
+
+TEST_F(MeshFile, KeepsWhatElementsOfTheSizeMayResolve) {
+  size_ = 0.05;
+  EXPECT_EQ(run("1.E-07", 0).model.count(2), 7);
   EXPECT_EQ(faces_, (std::vector<int>{7}));
 }
 
