@@ -53,6 +53,12 @@ std::size_t faults_of_mesh(const MeshedFile& made) {
          std::min(made.result.report.faults.size(), made.model.parts().faults.size());
 }
 
+/// Whether meshing found nothing, and reading no more than it found before: a solid that is left out has no
+/// faults of meshing.
+bool is_mended(const MeshedFile& made, const MeshedFile& before) {
+  return faults_of_mesh(made) == 0 && made.model.parts().faults.size() <= before.model.parts().faults.size();
+}
+
 /// What may be taken away, and why.
 struct Smallest {
   double length;  ///< mm
@@ -138,7 +144,7 @@ MeshedFile mesh_file(const std::filesystem::path& path, const ReadOptions& readi
                               smallest.reason));
     std::optional<MeshedFile> second =
         without_smaller(path, reading, mesh, smallest.length, first.model, observer);
-    if (!second || faults_of_mesh(*second) > 0) {
+    if (!second || !is_mended(*second, first)) {
       in_vain.push_back(clock.lap("other tries"));
       continue;
     }

@@ -27,7 +27,6 @@
 #include "geom/occt/rings.h"
 #include "geom/occt/sew.h"
 #include "geom/occt/shape_box.h"
-#include "geom/occt/shape_measures.h"
 #include "geom/occt/shell_solids.h"
 #include "geom/occt/short_edges.h"
 #include "geom/occt/sphere_sides.h"
