@@ -118,10 +118,4 @@ FacetFoot FacetBvh::foot(const Item& item, const Vec3& p) {
   return near;
 }
 
-bool FacetBvh::meets(const Item& item, const Box3& box) {
-  if (item.apart(box)) return false;
-  const double reach = item.normal.cwiseAbs().dot(0.5 * box.size()) + item.grow;
-  return std::abs(item.normal.dot(box.centre() - item.a)) <= reach;
-}
-
 }  // namespace octet

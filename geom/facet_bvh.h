@@ -49,6 +49,15 @@ class FacetBvh {
     bool straight;  ///< parallel to an axis: it is its box
   };
 
+  /// A box as triangles are asked about it.
+  struct BoxProbe {
+    explicit BoxProbe(const Box3& b)
+        : box(b), outer(FloatBox::around(b)), centre(b.centre()), half(0.5 * b.size()) {}
+    Box3 box;
+    FloatBox outer;  ///< rounded outward
+    Vec3 centre, half;
+  };
+
   FacetBvh() = default;
   /// Reading a part starts no threads: with one alone its child process is forked.
   enum class Building { kOneThread, kManyThreads };
@@ -95,8 +104,9 @@ class FacetBvh {
   [[nodiscard]] std::uint32_t triangle(std::uint32_t item) const { return items_[item].triangle; }
   /// Around the triangle, grown.
   [[nodiscard]] const FloatBox& box_of(std::uint32_t item) const { return items_[item]; }
-  [[nodiscard]] bool item_meets(std::uint32_t item, const Box3& box) const {
-    return meets(items_[item], box);
+  [[nodiscard]] bool item_meets(std::uint32_t item, const BoxProbe& box) const {
+    const Item& of = items_[item];
+    return !of.apart(box.outer) && (box.outer.holds(of) || meets(of, box));
   }
   [[nodiscard]] bool item_meets(std::uint32_t item, const Probe& probe) const {
     return probe.beside(items_[item]) && meets(items_[item], probe.p, probe.q);
@@ -145,7 +155,11 @@ class FacetBvh {
   [[nodiscard]] std::int32_t root_of(int face) const { return face == 0 ? root_ : face_root_[face]; }
   /// What is left to ask where the boxes meet.
   [[nodiscard]] static bool meets(const Item& item, const Vec3& p, const Vec3& q);
-  [[nodiscard]] static bool meets(const Item& item, const Box3& box);
+  [[nodiscard]] static bool meets(const Item& item, const BoxProbe& box) {
+    if (item.apart(box.box)) return false;
+    const double reach = item.normal.cwiseAbs().dot(box.half) + item.grow;
+    return std::abs(item.normal.dot(box.centre - item.a)) <= reach;
+  }
   [[nodiscard]] static FacetFoot foot(const Item& item, const Vec3& p);
 
   std::vector<Node> nodes_;
@@ -179,7 +193,8 @@ void FacetBvh::visit_segment(const Vec3& p, const Vec3& q, const Visit& visit, i
 template <class Accept>
 bool FacetBvh::any_item_in_box(const Box3& box, const Accept& accept) const {
   if (root_ < 0) return false;
-  const FloatBox outer = FloatBox::around(box);
+  const BoxProbe probe(box);
+  const FloatBox& outer = probe.outer;
   Stack stack;
   if (!nodes_[root_].apart(outer)) stack.push(root_);
   while (stack.size > 0) {
@@ -190,7 +205,7 @@ bool FacetBvh::any_item_in_box(const Box3& box, const Accept& accept) const {
       continue;
     }
     for (std::int32_t i = node.first; i < node.first - node.second; ++i)
-      if (!items_[i].apart(outer) && meets(items_[i], box) && accept(static_cast<std::uint32_t>(i)))
+      if (!items_[i].apart(outer) && meets(items_[i], probe) && accept(static_cast<std::uint32_t>(i)))
         return true;
   }
   return false;

@@ -50,7 +50,7 @@ Box3 RegionGrid::box_of(const Cell& lo, const Cell& hi) const {
 /// Halves the block of cells until it is empty or one cell.
 void RegionGrid::sort_items(const FacetBvh& bvh, const Cell& lo, const Cell& hi,
                             std::vector<std::uint32_t>& near, std::size_t count) {
-  const Box3 box = box_of(lo, hi);
+  const FacetBvh::BoxProbe box(box_of(lo, hi));
   const std::size_t given = near.size() - count, kept = near.size();
   for (std::size_t i = given; i < kept; ++i)
     if (bvh.item_meets(near[i], box)) near.push_back(near[i]);

@@ -153,15 +153,38 @@ class WallSizer {
     Vec3 corner, u, v, length;
   };
 
+  /// Bounds of a triangle as seen along the rays, a little larger.
+  struct Shadow {
+    Eigen::Array2d lo, hi;
+    [[nodiscard]] bool overlaps(const Shadow& other) const {
+      return (lo <= other.hi && other.lo <= hi).all();
+    }
+  };
+
   /// A facet that rays may meet.
   struct Ahead {
     std::uint32_t facet;
     bool is_sheet;  ///< it faces the probe and is of no neighbouring face
-    Box3 box;
+    Shadow shadow;
     Target target;
   };
 
   [[nodiscard]] double reach_of(const Probe& probe) const { return octants_across(probe.n) * options_.size; }
+
+  [[nodiscard]] Shadow shadow_of(const std::array<Vec3, 3>& corners) const {
+    const auto at = [&](const Vec3& p) { return Eigen::Array2d(p.dot(across_[0]), p.dot(across_[1])); };
+    const Eigen::Array2d a = at(corners[0]), b = at(corners[1]), c = at(corners[2]);
+    const Eigen::Array2d lo = a.min(b).min(c), hi = a.max(b).max(c);
+    const double slack = 1e-6 * (hi - lo).maxCoeff();
+    return {lo - slack, hi + slack};
+  }
+
+  void look_along(const Vec3& direction) {
+    int least = 0;
+    direction.cwiseAbs().minCoeff(&least);
+    across_[0] = direction.cross(Vec3::Unit(least)).normalized();
+    across_[1] = direction.cross(across_[0]);
+  }
 
   /// What rays from the triangle sweep, a little larger.
   [[nodiscard]] Box3 swept(const std::array<Vec3, 3>& corners, const Probe& probe) const {
@@ -181,17 +204,21 @@ class WallSizer {
     listed_.clear();
     bool any = false;
     std::size_t seen = 0;
+    look_along(probe.direction);
+    const Shadow own = shadow_of(corners);
     crowded_ = model_.bvh().any_in_box(swept(corners, probe), [&](std::uint32_t t) {
-      if (++seen > kMany) return true;
       if (!ends(t, probe)) return false;
       const std::array<Vec3, 3> c = facet_corners(facets_, t);
       double height = 0.0;
       for (const Vec3& corner : c) height = std::max(height, (corner - corners[0]).dot(probe.direction));
       if (height < 0.5 * model_.tolerance()) return false;
+      const Shadow shadow = shadow_of(c);
+      if (!shadow.overlaps(own)) return false;
+      if (++seen > kMany) return true;
       Ahead& facet = ahead_.emplace_back();
       facet.facet = t;
       facet.is_sheet = is_sheet(t, probe);
-      for (const Vec3& corner : c) facet.box.add(corner);
+      facet.shadow = shadow;
       any = any || facet.is_sheet;
       return false;
     });
@@ -281,11 +308,11 @@ class WallSizer {
   void probe(const std::array<Vec3, 3>& corners, const Probe& side, std::size_t from) {
     if (crowded_) return halve_or_wish(corners, side, from);
     const std::size_t first = listed_.size();
-    const Box3 box = swept(corners, side);
+    const Shadow own = shadow_of(corners);
     bool any = false;
     for (std::size_t n = from; n < first; ++n) {
       const std::uint32_t listed = listed_[n];
-      if (!ahead_[listed].box.overlaps(box)) continue;
+      if (!ahead_[listed].shadow.overlaps(own)) continue;
       any = any || ahead_[listed].is_sheet;
       listed_.push_back(listed);
     }
@@ -333,6 +360,7 @@ class WallSizer {
   const std::vector<Vec3>& normals_;
   const WallOptions& options_;
   Wishes wishes_;
+  std::array<Vec3, 2> across_;         ///< the rays in hand, square to each other
   std::vector<Ahead> ahead_;           ///< what rays from the facet in hand may meet
   std::vector<std::uint32_t> listed_;  ///< of these: what its first piece may meet, then each halving's
   bool crowded_ = false;               ///< they are too many for that
