@@ -79,9 +79,19 @@ class FacetBvh {
   bool any_in_box(const Box3& box, const Accept& accept) const {
     return any_item_in_box(box, [&](std::uint32_t item) { return accept(triangle(item)); });
   }
+  /// The same among those in boxes of the tree for which not misses(box), a FloatBox.
+  template <class Misses, class Accept>
+  bool any_in_box(const Box3& box, const Misses& misses, const Accept& accept) const {
+    return any_item_in_box(box, misses, [&](std::uint32_t item) { return accept(triangle(item)); });
+  }
   /// The same for the triangles' places in the tree's order.
   template <class Accept>
-  bool any_item_in_box(const Box3& box, const Accept& accept) const;
+  bool any_item_in_box(const Box3& box, const Accept& accept) const {
+    return any_item_in_box(
+        box, [](const FloatBox&) { return false; }, accept);
+  }
+  template <class Misses, class Accept>
+  bool any_item_in_box(const Box3& box, const Misses& misses, const Accept& accept) const;
   /// Appends the triangles that may hold the boundary's nearest point to p, which is no farther than
   /// `max_distance`: each triangle's distance, less its growth, is at most the least distance plus growth.
   void near(const Vec3& p, double max_distance, int face, std::vector<FacetFoot>& feet) const;
@@ -190,23 +200,22 @@ void FacetBvh::visit_segment(const Vec3& p, const Vec3& q, const Visit& visit, i
   }
 }
 
-template <class Accept>
-bool FacetBvh::any_item_in_box(const Box3& box, const Accept& accept) const {
+template <class Misses, class Accept>
+bool FacetBvh::any_item_in_box(const Box3& box, const Misses& misses, const Accept& accept) const {
   if (root_ < 0) return false;
   const BoxProbe probe(box);
-  const FloatBox& outer = probe.outer;
+  const auto passes = [&](const FloatBox& b) { return b.apart(probe.outer) || misses(b); };
   Stack stack;
-  if (!nodes_[root_].apart(outer)) stack.push(root_);
+  if (!passes(nodes_[root_])) stack.push(root_);
   while (stack.size > 0) {
     const Node& node = nodes_[stack.pop()];
     if (node.second >= 0) {
-      if (!nodes_[node.second].apart(outer)) stack.push(node.second);
-      if (!nodes_[node.first].apart(outer)) stack.push(node.first);
+      if (!passes(nodes_[node.second])) stack.push(node.second);
+      if (!passes(nodes_[node.first])) stack.push(node.first);
       continue;
     }
     for (std::int32_t i = node.first; i < node.first - node.second; ++i)
-      if (!items_[i].apart(outer) && meets(items_[i], probe) && accept(static_cast<std::uint32_t>(i)))
-        return true;
+      if (!passes(items_[i]) && meets(items_[i], probe) && accept(static_cast<std::uint32_t>(i))) return true;
   }
   return false;
 }

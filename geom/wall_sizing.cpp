@@ -179,11 +179,27 @@ class WallSizer {
     return {lo - slack, hi + slack};
   }
 
+  /// Whether the box is beside the rays from within the shadow. Not asked of rays along an axis, to which
+  /// the boxes swept by them are close enough.
+  [[nodiscard]] bool is_beside(const FloatBox& box, const Shadow& own) const {
+    if (!oblique_) return false;
+    const Vec3 lo(box.lo[0], box.lo[1], box.lo[2]), hi(box.hi[0], box.hi[1], box.hi[2]);
+    const Vec3 middle = 0.5 * (lo + hi), half = (0.5 + 1e-6) * (hi - lo);
+    for (int k = 0; k < 2; ++k) {
+      const double at = across_[k].dot(middle), width = across_size_[k].dot(half);
+      if (at + width < own.lo[k] || at - width > own.hi[k]) return true;
+    }
+    return false;
+  }
+
   void look_along(const Vec3& direction) {
     int least = 0;
     direction.cwiseAbs().minCoeff(&least);
     across_[0] = direction.cross(Vec3::Unit(least)).normalized();
     across_[1] = direction.cross(across_[0]);
+    for (int k = 0; k < 2; ++k) across_size_[k] = across_[k].cwiseAbs();
+    constexpr double kAlongAxis = 0.999;
+    oblique_ = direction.cwiseAbs().maxCoeff() < kAlongAxis;
   }
 
   /// What rays from the triangle sweep, a little larger.
@@ -206,7 +222,8 @@ class WallSizer {
     std::size_t seen = 0;
     look_along(probe.direction);
     const Shadow own = shadow_of(corners);
-    crowded_ = model_.bvh().any_in_box(swept(corners, probe), [&](std::uint32_t t) {
+    const auto beside = [&](const FloatBox& box) { return is_beside(box, own); };
+    crowded_ = model_.bvh().any_in_box(swept(corners, probe), beside, [&](std::uint32_t t) {
       if (!ends(t, probe)) return false;
       const std::array<Vec3, 3> c = facet_corners(facets_, t);
       double height = 0.0;
@@ -360,7 +377,9 @@ class WallSizer {
   const std::vector<Vec3>& normals_;
   const WallOptions& options_;
   Wishes wishes_;
-  std::array<Vec3, 2> across_;         ///< the rays in hand, square to each other
+  std::array<Vec3, 2> across_;         ///< unit, square to the rays in hand and to each other
+  std::array<Vec3, 2> across_size_;    ///< of their components
+  bool oblique_ = false;               ///< the rays
   std::vector<Ahead> ahead_;           ///< what rays from the facet in hand may meet
   std::vector<std::uint32_t> listed_;  ///< of these: what its first piece may meet, then each halving's
   bool crowded_ = false;               ///< they are too many for that

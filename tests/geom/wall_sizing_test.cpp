@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "geom/analytic.h"
+#include "geom/turned_model.h"
 #include "tests/geom/sample_models.h"
 
 namespace octet {
@@ -37,6 +38,18 @@ TEST(WallSizing, APlateWishesItsThicknessOnBothSides) {
     high |= s.place.z() == 0.25;
   }
   EXPECT_TRUE(low && high);
+}
+
+TEST(WallSizing, APlateWishesTheSameHoweverItLies) {
+  const Model plate = analytic_box(Vec3(3, 3, 0.25));
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.7, Vec3(0.3, -0.5, 0.8).normalized()).toRotationMatrix();
+  const auto straight = wall_sizes(plate, walls(1.0, 1.0));
+  const auto oblique = wall_sizes(turned_model(plate, turn), walls(1.0, 1.0));
+  ASSERT_EQ(oblique.size(), straight.size());
+  for (std::size_t n = 0; n < straight.size(); ++n) {
+    EXPECT_NEAR(oblique[n].size, straight[n].size, 1e-9);
+    EXPECT_LT((oblique[n].place - turn * straight[n].place).norm(), 1e-9);
+  }
 }
 
 TEST(WallSizing, SamplesAreDenseOverTheWall) {
