@@ -61,7 +61,11 @@ LocalStar future_star(const Workshop& shop, const EdgeRing& ring, ModelRef on) {
 /// How the new vertex would stand if it were where an end of the edge is: seeds for the projections.
 Stand seeds_of(const Workshop& shop, const EdgeRing& ring, const LocalStar& star, const Vec3& middle) {
   Stand from;
-  if (star.on.dim == 1) from.t = shop.model.edge_closest(star.on.tag, middle).t;
+  if (star.on.dim == 1) {
+    const EdgeFoot foot = shop.model.edge_closest(star.on.tag, middle);
+    from.t = foot.t;
+    from.point = foot.point;
+  }
   for (const int face : star.faces) {
     if (!shop.guard.planar(face)) from.seats.emplace_back(face, shop.guard.seat(shop.mesh, ring.a, face));
   }
