@@ -76,6 +76,13 @@ std::size_t fault_count(const MeshReport& report) {
   return count;
 }
 
+std::vector<Mesh::Index> boundary_vertices(const Mesh& mesh) {
+  std::vector<Mesh::Index> vertices;
+  for (std::size_t v = 0; v < mesh.points.size(); ++v)
+    if (mesh.point_on[v].dim < 3) vertices.push_back(static_cast<Mesh::Index>(v));
+  return vertices;
+}
+
 /// What finalization begins with.
 struct Begun {
   Mesh mesh;
@@ -415,8 +422,20 @@ class Run {
       return again_ ? std::nullopt : std::optional(tree());
     }
     const bool hopeful = better || second_tries_ == 0 || tree().size() <= kCheapTree;
-    if (!hopeful || second_tries_++ == kSecondTries) return std::nullopt;
-    return finer_at_faults();
+    std::optional<Octree> finer;
+    if (hopeful && second_tries_++ < kSecondTries) finer = finer_at_faults();
+    if (!finer) again_ = hold_all();
+    return finer;
+  }
+
+  /// Once, when all else has failed: the whole boundary, which leaves no fault that finalization did not
+  /// begin with. False: that was done, or cannot be.
+  [[nodiscard]] bool hold_all() {
+    if (!begun_ || all_held_) return false;
+    all_held_ = true;
+    held_ = boundary_vertices(begun_->mesh);
+    observer_.note("faults are left: the whole boundary will be held");
+    return true;
   }
 
   /// Where claims fail, in the model's own frame.
@@ -512,6 +531,7 @@ class Run {
   std::optional<Octree> wish_;  ///< octants of the sizes asked for, where some were subdivided
   int hold_tries_ = 0;          ///< with the boundary held in finalization
   bool hold_spent_ = false;     ///< the last of them held what the one before did
+  bool all_held_ = false;       ///< or the last try of all
   std::vector<Mesh::Index> held_;   ///< boundary vertices that finalization holds
   std::vector<Vec3> fault_places_;  ///< of the tries before, in the model's own frame
   int second_tries_ = 0;            ///< with smaller octants at faults
