@@ -41,11 +41,9 @@ std::string hint_of_other_options(const Mesh& mesh, const Model& model) {
     same = same && own[static_cast<std::size_t>(dim)] == static_cast<std::size_t>(model.count(dim));
   if (same) return {};
   return fmt::format(
-      "  hint     regions, faces, edges and vertices: {}, {}, {}, {} in the mesh, {}, {}, {}, {} in the part "
-      "as it "
-      "was read; a mesh made with --defeature, or whose run noted that small features were taken away, is "
-      "checked "
-      "with the same --defeature; so with --no-fuse, --sew and --cap\n",
+      "  hint     regions, faces, edges, vertices: {}, {}, {}, {} in the mesh and {}, {}, {}, {} in the\n"
+      "           part as it was read; a mesh made with --defeature, or whose run noted that small features\n"
+      "           were taken away, is checked with the same --defeature; so with --no-fuse, --sew, --cap\n",
       own[3], own[2], own[1], own[0], model.count(3), model.count(2), model.count(1), model.count(0));
 }
 

@@ -10,8 +10,8 @@
 compare: Octet and Debian's programs `gmsh -3 -algo hxt` and `gmsh -3` (apt-get install gmsh), each at its own size
 for about the wanted number of tetrahedra, in alternating pairs; medians of the pairs' ratios of CPU time a
 tetrahedron, wall time a tetrahedron and memory a tetrahedron (above 1: Octet is ahead), and both qualities. With
---tets default the number is what Octet makes unasked. A rival that makes no mesh within 100 s at any of five sizes
-has failed. At the end the medians over all parts.
+--tets default the number is what Octet makes unasked. A rival that makes no tetrahedra at any of five sizes, each
+within 100 s and 50 microseconds a wanted one, has failed. At the end the median over all parts.
 growth: one run a count; CPU seconds by stage and in brackets the peak memory up to its end in MiB, and the exponents of time and memory against the count (least squares of
 the logarithms, from 1e5 on when there are three such counts).
 writing: the time of the stage "writing" against `dd` with as many bytes into the same directory.
