@@ -32,21 +32,32 @@ bool is_near_another(const Model& model, const Vec3& p, int face, double near) {
   return other && cosine_between(foot.point, foot.normal, *other) >= kGap;
 }
 
+/// Balls of some sizes about the places; all of space where there are no places, or too many.
+class Surroundings {
+ public:
+  Surroundings(const std::function<double(const Vec3&)>& size_at, std::span<const Vec3> places)
+      : places_(places), everywhere_(places.empty() || places.size() > kMostPlaces) {
+    if (!everywhere_)
+      for (const Vec3& place : places) reach_.push_back(kAround * size_at(place));
+  }
+  [[nodiscard]] bool hold(const Vec3& p) const {
+    for (std::size_t n = 0; n < reach_.size(); ++n)
+      if ((p - places_[n]).squaredNorm() <= reach_[n] * reach_[n]) return true;
+    return everywhere_;
+  }
+
+ private:
+  std::span<const Vec3> places_;
+  bool everywhere_;
+  std::vector<double> reach_;
+};
+
 }  // namespace
 
 std::vector<Mesh::Index> vertices_at_gaps(const Mesh& mesh, const Model& model,
                                           const std::function<double(const Vec3&)>& size_at,
                                           std::span<const Vec3> around) {
-  const bool everywhere = around.empty() || around.size() > kMostPlaces;
-  std::vector<double> reach;
-  if (!everywhere)
-    for (const Vec3& place : around) reach.push_back(kAround * size_at(place));
-  const auto is_looked_at = [&](const Vec3& p) {
-    if (everywhere) return true;
-    for (std::size_t n = 0; n < around.size(); ++n)
-      if ((p - around[n]).squaredNorm() <= reach[n] * reach[n]) return true;
-    return false;
-  };
+  const Surroundings surroundings(size_at, around);
   std::vector<std::pair<Mesh::Index, std::int32_t>> asked;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const bool planar = model.is_plane(mesh.triangle_on[i]);
@@ -58,12 +69,26 @@ std::vector<Mesh::Index> vertices_at_gaps(const Mesh& mesh, const Model& model,
   std::vector<char> near(asked.size(), 0);
   tbb::parallel_for(std::size_t{0}, asked.size(), [&](std::size_t i) {
     const Vec3& p = mesh.points[asked[i].first];
-    if (is_looked_at(p)) near[i] = is_near_another(model, p, asked[i].second, kNear * size_at(p)) ? 1 : 0;
+    if (surroundings.hold(p))
+      near[i] = is_near_another(model, p, asked[i].second, kNear * size_at(p)) ? 1 : 0;
   });
   std::vector<Mesh::Index> found;
   for (std::size_t i = 0; i < asked.size(); ++i)
     if (near[i] != 0 && (found.empty() || found.back() != asked[i].first)) found.push_back(asked[i].first);
   return found;
+}
+
+std::vector<Mesh::Index> boundary_vertices(const Mesh& mesh) { return boundary_vertices(mesh, {}, {}); }
+
+std::vector<Mesh::Index> boundary_vertices(const Mesh& mesh,
+                                           const std::function<double(const Vec3&)>& size_at,
+                                           std::span<const Vec3> around) {
+  const Surroundings surroundings(size_at, around);
+  std::vector<Mesh::Index> vertices;
+  for (std::size_t v = 0; v < mesh.points.size(); ++v)
+    if (mesh.point_on[v].dim < 3 && surroundings.hold(mesh.points[v]))
+      vertices.push_back(static_cast<Mesh::Index>(v));
+  return vertices;
 }
 
 }  // namespace octet

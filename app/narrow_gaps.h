@@ -20,4 +20,11 @@ namespace octet {
                                                         const std::function<double(const Vec3&)>& size_at,
                                                         std::span<const Vec3> around = {});
 
+/// All vertices on the boundary; ascending.
+[[nodiscard]] std::vector<Mesh::Index> boundary_vertices(const Mesh& mesh);
+/// Those within some sizes of the places, as `around` above.
+[[nodiscard]] std::vector<Mesh::Index> boundary_vertices(const Mesh& mesh,
+                                                         const std::function<double(const Vec3&)>& size_at,
+                                                         std::span<const Vec3> around);
+
 }  // namespace octet

@@ -16,10 +16,10 @@
 #include "app/apart.h"
 #include "app/attempt.h"
 #include "app/geometry_faults.h"
+#include "app/held_boundary.h"
 #include "app/leave_out.h"
 #include "app/measures.h"
 #include "app/mesh_part.h"
-#include "app/narrow_gaps.h"
 #include "app/octant_sizes.h"
 #include "app/own_frame.h"
 #include "app/second_order.h"
@@ -50,11 +50,9 @@ constexpr double kTouchReach = 0.1;
 /// Octants at gaps are subdivided to this share of the finest otherwise where no smallest size was asked for:
 /// a bore of 0.005 mm in a part of 46 mm is closed by octants of its own width.
 constexpr double kFinestAtGaps = 1.0 / 64.0;
-/// How often a mesh without gaps that fails a claim is finalized again with the boundary held where it comes
-/// near to itself: around the faults so far, and the last time everywhere. What finalization begins with is
-/// kept for that up to so many tetrahedra; larger meshes, which would take its memory in every run for the
-/// few that come to this, are made again from the same tree.
-constexpr int kHoldTries = 4;
+/// What finalization begins with is kept up to so many tetrahedra, for meshes without gaps that fail a claim:
+/// they are finalized again with some of the boundary held. Larger ones, which would take its memory in every
+/// run for the few that come to this, are made again from the same tree.
 constexpr std::size_t kKeptTets = 1'000'000;
 /// How often it is then made again with smaller octants at its faults.
 constexpr int kSecondTries = 3;
@@ -74,13 +72,6 @@ std::size_t fault_count(const MeshReport& report) {
   std::size_t count = report.faults.size();
   for (const Claim& claim : report.acceptance.claims) count += claim.places.size() - claim.faults.size();
   return count;
-}
-
-std::vector<Mesh::Index> boundary_vertices(const Mesh& mesh) {
-  std::vector<Mesh::Index> vertices;
-  for (std::size_t v = 0; v < mesh.points.size(); ++v)
-    if (mesh.point_on[v].dim < 3) vertices.push_back(static_cast<Mesh::Index>(v));
-  return vertices;
 }
 
 /// What finalization begins with.
@@ -112,7 +103,7 @@ class Run {
       } else {
         mesh_band(*std::exchange(tree, std::nullopt));
         extract();
-        if (hold_tries_ > 0) hold_spent_ = !hold(result_.mesh);
+        if (held_.holds_any()) held_.find_anew(result_.mesh, spacing());
       }
       improve();
       append_interior();
@@ -375,23 +366,11 @@ class Run {
     finalize_options.fixed_vertices = fixed_vertices_;
     finalize_options.volume_beyond = deep_volumes(band_->tree, band_->labels, band_->split, model_.count(3));
     finalize_options.size_at = [this](const Vec3& p) { return band_->tree.spacing_at(p); };
-    finalize_options.held = held_;
+    finalize_options.held = held_.vertices();
     if (wish_) finalize_options.coarse_size_at = [this](const Vec3& p) { return wish_->spacing_at(p); };
     const FinalizeReport report = finalize(result_.mesh, model_, finalize_options, observer_);
     observer_.note(describe(report));
     dump("finalized");
-  }
-
-  /// Holds, in the mesh that finalization begins with, the boundary near to itself around the faults so far,
-  /// at the last try everywhere. False: that is what the try before held, without success, and no more tries
-  /// are worth their time.
-  [[nodiscard]] bool hold(const Mesh& mesh) {
-    const bool everywhere = hold_tries_ == kHoldTries;
-    std::vector<Mesh::Index> near = vertices_at_gaps(
-        mesh, model_, [this](const Vec3& p) { return tree().spacing_at(p); },
-        everywhere ? std::span<const Vec3>{} : std::span<const Vec3>(fault_places_));
-    held_.swap(near);
-    return held_ != near;
   }
 
   void append_interior() {
@@ -406,36 +385,41 @@ class Run {
 
   /// That of the mesh.
   [[nodiscard]] const Octree& tree() const { return band_ ? band_->tree : *tree_; }
+  [[nodiscard]] HeldBoundary::SizeAt spacing() const {
+    return [this](const Vec3& p) { return tree().spacing_at(p); };
+  }
 
   /// The tree for another try; none where there is no fault, where gaps have had their tries already, where
   /// what is kept will do, and where smaller octants have not helped a tree that is large.
   [[nodiscard]] std::optional<Octree> next_tree(bool better) {
     const std::size_t faults = result_.report.faults.size();
     if (faults == 0 || gaps_left_) return std::nullopt;
-    if (options_.finalize && hold_tries_ < kHoldTries && !hold_spent_) {
+    if (options_.finalize && held_.is_hopeful()) {
       const std::vector<Vec3> places = places_at_fault();
-      fault_places_.insert(fault_places_.end(), places.begin(), places.end());
-      observer_.note(
-          fmt::format("faults at {} places: where the boundary is near to itself it will be held{}",
-                      places.size(), ++hold_tries_ < kHoldTries ? " around them" : ""));
-      again_ = begun_ && hold(begun_->mesh);
+      held_.hold_more(places);
+      note_held(places.size());
+      again_ = begun_ && held_.find(begun_->mesh, spacing());
       return again_ ? std::nullopt : std::optional(tree());
     }
     const bool hopeful = better || second_tries_ == 0 || tree().size() <= kCheapTree;
     std::optional<Octree> finer;
-    if (hopeful && second_tries_++ < kSecondTries) finer = finer_at_faults();
-    if (!finer) again_ = hold_all();
+    if (hopeful && !held_.is_last_resort() && second_tries_++ < kSecondTries) finer = finer_at_faults();
+    if (!finer) again_ = hold_at_last();
     return finer;
   }
 
-  /// Once, when all else has failed: the whole boundary, which leaves no fault that finalization did not
-  /// begin with. False: that was done, or cannot be.
-  [[nodiscard]] bool hold_all() {
-    if (!begun_ || all_held_) return false;
-    all_held_ = true;
-    held_ = boundary_vertices(begun_->mesh);
-    observer_.note("faults are left: the whole boundary will be held");
-    return true;
+  /// Nothing else has helped. False: nor will this.
+  [[nodiscard]] bool hold_at_last() {
+    const std::vector<Vec3> places = places_at_fault();
+    while (begun_ && held_.hold_at_last(places)) {
+      note_held(places.size());
+      if (held_.find(begun_->mesh, spacing())) return true;
+    }
+    return false;
+  }
+
+  void note_held(std::size_t faults) {
+    observer_.note(fmt::format("faults at {} places: {} will be held", faults, held_.words()));
   }
 
   /// Where claims fail, in the model's own frame.
@@ -529,15 +513,11 @@ class Run {
   std::vector<Fault>
       crossings_;               ///< of faces, too shallow for the size to tell: why gaps are left, if any are
   std::optional<Octree> wish_;  ///< octants of the sizes asked for, where some were subdivided
-  int hold_tries_ = 0;          ///< with the boundary held in finalization
-  bool hold_spent_ = false;     ///< the last of them held what the one before did
-  bool all_held_ = false;       ///< or the last try of all
-  std::vector<Mesh::Index> held_;   ///< boundary vertices that finalization holds
-  std::vector<Vec3> fault_places_;  ///< of the tries before, in the model's own frame
-  int second_tries_ = 0;            ///< with smaller octants at faults
-  std::optional<Octree> tree_;      ///< that of the mesh, when the band has gone
-  std::optional<Begun> begun_;      ///< where it is kept; then the band stays
-  bool again_ = false;              ///< the next try is from there
+  HeldBoundary held_{model_};   ///< in finalization
+  int second_tries_ = 0;        ///< with smaller octants at faults
+  std::optional<Octree> tree_;  ///< that of the mesh, when the band has gone
+  std::optional<Begun> begun_;  ///< where it is kept; then the band stays
+  bool again_ = false;          ///< the next try is from there
 };
 
 /// What the making of a mesh took besides its own stages.
