@@ -13,7 +13,7 @@
 #include "app/size_boxes.h"
 #include "app/size_table.h"
 #include "geom/occt/read_part.h"
-#include "geom/wall_sizing.h"
+#include "geom/size_memo.h"
 
 namespace octet {
 
@@ -25,9 +25,9 @@ int run_info(const InfoCommand& command) {
     const LengthUnit unit = length_unit(command.unit.empty() ? "mm" : command.unit);
     apply_sizes(command.sizes, unit, options);
     const OwnFrame frame(model, options);
-    WallMemo walls;
-    const MeshOptions sized = with_default_size(frame.model(), frame.options(), &walls);
-    const SizePlan plan = plan_sizes(frame.model(), sized, &walls);
+    SizeMemo memo;
+    const MeshOptions sized = with_default_size(frame.model(), frame.options(), &memo);
+    const SizePlan plan = plan_sizes(frame.model(), sized, &memo);
     if (!command.size_field.empty()) {
       SizeBoxes boxes = size_boxes(frame.model(), plan);
       frame.to_part(boxes.points);

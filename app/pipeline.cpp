@@ -30,7 +30,7 @@
 #include "finalize/finalize.h"
 #include "geom/face_crossings.h"
 #include "geom/face_touches.h"
-#include "geom/wall_sizing.h"
+#include "geom/size_memo.h"
 #include "geom/wide_gaps.h"
 
 namespace octet {
@@ -83,14 +83,14 @@ struct Begun {
 class Run {
  public:
   /// `most`: tetrahedra; TooManyTets is thrown where there would be far more.
-  /// `walls`: what plans of the frame's model know of walls.
-  Run(const OwnFrame& frame, const MeshOptions& options, double most, WallMemo& walls, Observer& observer)
+  /// `memo`: what plans of the frame's model found.
+  Run(const OwnFrame& frame, const MeshOptions& options, double most, SizeMemo& memo, Observer& observer)
       : frame_(frame),
         part_(frame.part()),
         model_(frame.model()),
         options_(options),
         most_(most),
-        walls_(walls),
+        memo_(memo),
         observer_(observer) {}
 
   MeshResult run() {
@@ -151,7 +151,7 @@ class Run {
           fmt::format("size {:.6g} mm needs about {:.2g} elements, more than the limit of {}; "
                       "ask for a larger size or raise --max-elements",
                       h, elements, options_.max_elements));
-    plan_ = plan_sizes(model_, options_, &walls_);
+    plan_ = plan_sizes(model_, options_, &memo_);
     result_.report.size = plan_.asked;
     for (const WideGap& gap : wide_gaps(part_, plan_.asked))
       result_.report.warnings.push_back(warning_of(gap, part_));
@@ -496,7 +496,7 @@ class Run {
   const Model& model_;  ///< in its own axes: what is meshed
   const MeshOptions& options_;
   double most_;
-  WallMemo& walls_;
+  SizeMemo& memo_;
   Observer& observer_;
   MeshResult result_;
   StageClock clock_;
@@ -560,16 +560,16 @@ MeshResult mesh_part(const Model& model, const MeshOptions& options, Observer& o
   watched.cancelled = [&observer] { return observer.cancelled(); };
   arena.execute([&] {
     const OwnFrame frame(model, watched);
-    WallMemo walls;
+    SizeMemo memo;
     const auto mesh = [&](const MeshOptions& with, double most) {
       ++makings;
-      return apart ? mesh_apart(model, with, observer) : Run(frame, with, most, walls, observer).run();
+      return apart ? mesh_apart(model, with, observer) : Run(frame, with, most, memo, observer).run();
     };
     const auto mesh_all = [&](const MeshOptions& with) {
       return mesh(with, std::numeric_limits<double>::infinity());
     };
-    result = options.target_elements > 0.0 ? mesh_to_target(frame.model(), frame.options(), mesh_all, &walls)
-                                           : mesh_by_default(frame.model(), frame.options(), mesh, &walls);
+    result = options.target_elements > 0.0 ? mesh_to_target(frame.model(), frame.options(), mesh_all, &memo)
+                                           : mesh_by_default(frame.model(), frame.options(), mesh, &memo);
   });
   if (options.order == 2) arena.execute([&] { raise_order(result, model, observer); });
   MeshReport& report = result.report;

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "app/element_estimate.h"
-#include "geom/wall_sizing.h"
+#include "geom/size_memo.h"
 
 namespace octet {
 namespace {
@@ -45,21 +45,21 @@ struct Sized {
   double elements;  ///< estimated
 };
 
-Sized sized(const Model& model, const MeshOptions& options, WallMemo& walls) {
-  SizePlan plan = plan_sizes(model, options, &walls);
+Sized sized(const Model& model, const MeshOptions& options, SizeMemo& memo) {
+  SizePlan plan = plan_sizes(model, options, &memo);
   const double elements = estimated_elements(model, plan);
   return {options, std::move(plan), elements};
 }
 
 /// With as many elements on a circle as the mesh has room for. The least number that is more is tried first;
 /// counts go about with its square, and what goes far beyond the room by this is not tried.
-Sized with_rounder_faces(const Model& model, Sized given, WallMemo& walls) {
+Sized with_rounder_faces(const Model& model, Sized given, SizeMemo& memo) {
   constexpr double kFarBeyond = 1.1;
   const double room = std::max(kSmallMesh, std::min(kUsualMost, kLittleMore * given.elements));
   const auto rounded = [&](double on_a_circle) {
     MeshOptions options = given.options;
     options.curvature_angle = 2.0 * M_PI / on_a_circle;
-    return sized(model, options, walls);
+    return sized(model, options, memo);
   };
   const auto more = [&](double on_a_circle) {
     return on_a_circle * on_a_circle - std::pow(2.0 * M_PI / given.options.curvature_angle, 2);
@@ -128,15 +128,15 @@ bool has_free_sizes(const MeshOptions& options) {
 
 double most_by_default(const Model& model) { return kMost * std::max(1.0, model.count(2) / kManyFaces); }
 
-MeshOptions with_default_size(const Model& model, const MeshOptions& options, WallMemo* walls) {
+MeshOptions with_default_size(const Model& model, const MeshOptions& options, SizeMemo* known) {
   if (options.size != 0.0) return options;
   MeshOptions chosen = options;
   chosen.size = global_size(model, options);
   chosen.suit_curvature = true;
   if (options.small_regions) chosen.region_scale = 1.0;
   if (!has_free_sizes(options)) return chosen;
-  WallMemo own;
-  WallMemo& memo = walls != nullptr ? *walls : own;  // a circle's elements do not change walls
+  SizeMemo own;
+  SizeMemo& memo = known != nullptr ? *known : own;  // a circle's elements change neither walls nor gaps
   Sized first = sized(model, chosen, memo);
   if (first.elements < kUsualMost && has_free_curvature(options))
     first = with_rounder_faces(model, std::move(first), memo);

@@ -31,9 +31,9 @@ namespace octet {
 /// fewer than 2 000 or more than 500 000 elements is scaled to the nearer of them, whatever the radius. Of
 /// more than 1000 faces (an assembly's) sizes become no more than 1.6 times larger for that, while it has
 /// most_by_default() at most: small features cannot all be coarser, and a mesh so coarse that they decide its
-/// sizes is a bad one, and no sooner made. Other options are returned as they are. `walls`, where given, has
-/// what the last plan found of walls, which the plan of the options returned mostly asks for again.
+/// sizes is a bad one, and no sooner made. Other options are returned as they are. `memo`, where given, has
+/// what the plans found, most of which the plan of the options returned asks for again.
 [[nodiscard]] MeshOptions with_default_size(const Model& model, const MeshOptions& options,
-                                            WallMemo* walls = nullptr);
+                                            SizeMemo* memo = nullptr);
 
 }  // namespace octet

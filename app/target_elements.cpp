@@ -46,10 +46,10 @@ std::optional<double> crossing(const std::vector<std::pair<double, double>>& tri
 }  // namespace
 
 MeshResult mesh_to_target(const Model& model, const MeshOptions& options,
-                          const std::function<MeshResult(const MeshOptions&)>& mesh, WallMemo* walls) {
+                          const std::function<MeshResult(const MeshOptions&)>& mesh, SizeMemo* memo) {
   constexpr int kMostMeshes = 10;
   const double target = options.target_elements;
-  const MeshOptions whole = with_default_size(model, options, walls);
+  const MeshOptions whole = with_default_size(model, options, memo);
   // A guess by volume first, so that no tree is far too large.
   double volume = 0.0;
   for (int r = 1; r <= model.count(3); ++r) volume += model.region(r).volume;
@@ -64,7 +64,7 @@ MeshResult mesh_to_target(const Model& model, const MeshOptions& options,
                      std::abs(static_cast<double>(result.report.tets) / target - 1.0));
   };
   const auto sizes = [&](double log_scale) { return scaled_sizes(model, whole, std::exp(log_scale)); };
-  const auto planned = [&](double log_scale) { return plan_sizes(model, sizes(log_scale), walls); };
+  const auto planned = [&](double log_scale) { return plan_sizes(model, sizes(log_scale), memo); };
   for (int i = 0; i < kMostMeshes; ++i) {
     if (!crossing(tried)) x = log_scale_for(model, planned, std::log(target) - correction, x, kNearEstimate);
     MeshResult result = mesh(sizes(x));
@@ -90,8 +90,8 @@ MeshResult mesh_to_target(const Model& model, const MeshOptions& options,
 namespace {
 
 MeshResult mesh_within_bounds(const Model& model, const MeshOptions& options, const BoundedMesher& mesh,
-                              WallMemo* walls) {
-  const MeshOptions chosen = with_default_size(model, options, walls);
+                              SizeMemo* memo) {
+  const MeshOptions chosen = with_default_size(model, options, memo);
   const double most = most_by_default(model);
   std::optional<MeshResult> result;
   double count = 0.0;
@@ -120,15 +120,13 @@ MeshResult mesh_within_bounds(const Model& model, const MeshOptions& options, co
 /// A part that is thin all over has next to no mesh at a size that suits its faces' number. Nothing where
 /// that would take too many elements, too.
 std::optional<MeshResult> mesh_by_width(const Model& model, const MeshOptions& options,
-                                        const BoundedMesher& mesh, const MeshReport& coarse,
-                                        WallMemo* walls) {
+                                        const BoundedMesher& mesh, const MeshReport& coarse, SizeMemo* memo) {
   constexpr double kWidths = 2.0;
   MeshOptions finer = options;
   finer.size = kWidths * 2.0 * coarse.cad_volume / coarse.cad_area;
   if (!(finer.size > 0.0 && finer.size < coarse.too_coarse)) return {};
   try {
-    if (estimated_elements(model, plan_sizes(model, finer, walls)) >
-        static_cast<double>(options.max_elements))
+    if (estimated_elements(model, plan_sizes(model, finer, memo)) > static_cast<double>(options.max_elements))
       return {};
     return mesh(finer, kUnbounded);
   } catch (const LimitError&) {
@@ -139,10 +137,10 @@ std::optional<MeshResult> mesh_by_width(const Model& model, const MeshOptions& o
 }  // namespace
 
 MeshResult mesh_by_default(const Model& model, const MeshOptions& options, const BoundedMesher& mesh,
-                           WallMemo* walls) {
-  MeshResult result = mesh_within_bounds(model, options, mesh, walls);
+                           SizeMemo* memo) {
+  MeshResult result = mesh_within_bounds(model, options, mesh, memo);
   if (result.report.too_coarse == 0.0 || !has_free_sizes(options)) return result;
-  std::optional<MeshResult> finer = mesh_by_width(model, options, mesh, result.report, walls);
+  std::optional<MeshResult> finer = mesh_by_width(model, options, mesh, result.report, memo);
   if (!finer || finer->report.faults.size() >= result.report.faults.size()) return result;
   finer->report.too_coarse = std::max(finer->report.too_coarse, result.report.too_coarse);
   return *std::move(finer);

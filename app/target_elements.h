@@ -11,11 +11,11 @@ namespace octet {
 /// Meshes with sizes scaled so that the tetrahedra are within an eighth of options.target_elements, as far as
 /// that can be had (where small features decide, counts jump as octants halve): octrees alone are tried
 /// first, at a small share of a mesh's cost, and at most eight meshes are made. The nearest one is returned.
-/// `mesh` runs without a target. `walls`, where given: what the plans know of walls, for `mesh` to use as
+/// `mesh` runs without a target. `memo`, where given: what the plans know of the part, for `mesh` to use as
 /// well.
 [[nodiscard]] MeshResult mesh_to_target(const Model& model, const MeshOptions& options,
                                         const std::function<MeshResult(const MeshOptions&)>& mesh,
-                                        WallMemo* walls = nullptr);
+                                        SizeMemo* memo = nullptr);
 
 /// Thrown before finalization, which is most of the work, by a mesh that will have far more tetrahedra than
 /// it may.
@@ -34,8 +34,8 @@ using BoundedMesher = std::function<MeshResult(const MeshOptions&, double most)>
 /// mesh faces at the default size, and no size was asked for, the part is meshed with elements twice as long
 /// as it is wide in the mean (twice its volume over its area: a tube's wall, a rod's radius) as well, if the
 /// octree promises no more of them than options allow, and that mesh is returned where it has fewer faults.
-/// `walls`: as above.
+/// `memo`: as above.
 [[nodiscard]] MeshResult mesh_by_default(const Model& model, const MeshOptions& options,
-                                         const BoundedMesher& mesh, WallMemo* walls = nullptr);
+                                         const BoundedMesher& mesh, SizeMemo* memo = nullptr);
 
 }  // namespace octet

@@ -7,9 +7,8 @@
 #include <utility>
 
 #include "base/error.h"
+#include "geom/size_memo.h"
 #include "geom/size_wishes.h"
-#include "geom/sizing.h"
-#include "geom/wall_sizing.h"
 
 namespace octet {
 namespace {
@@ -54,8 +53,8 @@ double attribute_size(const Model& model, const SizeAttribute& attribute, ModelR
 
 class Planner {
  public:
-  Planner(const Model& model, const SizeControl& control, WallMemo* walls)
-      : model_(model), control_(control), walls_(walls) {
+  Planner(const Model& model, const SizeControl& control, SizeMemo* memo)
+      : model_(model), control_(control), memo_(memo) {
     plan_.asked = global_size(model, control);
     plan_.min_size = control.min_size > 0.0 ? control.min_size : kFinestShare * plan_.asked;
     plan_.growth = control.growth;
@@ -89,7 +88,7 @@ class Planner {
                                   : std::max(plan_.min_size, kFinestCurvedShare * plan_.size);
     options.edge_share = control_.short_edges ? 1.0 : 0.0;
     options.edge_gap_elements = control_.gap_elements;
-    take(feature_sizes(model_, options));
+    take(memo_ != nullptr ? memo_->features.sizes(model_, options) : feature_sizes(model_, options));
     if (control_.suit_curvature) suit_curvature();
   }
 
@@ -115,7 +114,7 @@ class Planner {
     options.gap_elements = control_.gap_elements;
     options.budget = control_.wall_budget;
     options.cancelled = control_.cancelled;
-    take(walls_ != nullptr ? walls_->sizes(model_, options) : wall_sizes(model_, options));
+    take(memo_ != nullptr ? memo_->walls.sizes(model_, options) : wall_sizes(model_, options));
   }
 
   /// Entities with their sizes; a region may be coarser than the rest.
@@ -228,7 +227,7 @@ class Planner {
 
   const Model& model_;
   const SizeControl& control_;
-  WallMemo* walls_;  ///< may be null
+  SizeMemo* memo_;  ///< may be null
   SizePlan plan_;
   std::vector<std::pair<ModelRef, double>> wanted_;  ///< entities of attributes and their sizes
 };
@@ -240,9 +239,9 @@ double global_size(const Model& model, const SizeControl& control) {
   return control.max_size > 0.0 ? std::min(size, control.max_size) : size;
 }
 
-SizePlan plan_sizes(const Model& model, const SizeControl& control, WallMemo* walls) {
+SizePlan plan_sizes(const Model& model, const SizeControl& control, SizeMemo* memo) {
   check_control(control);
-  return Planner(model, control, walls).run();
+  return Planner(model, control, memo).run();
 }
 
 SizePlan coarsened(SizePlan plan, double scale) {

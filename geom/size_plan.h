@@ -13,7 +13,7 @@
 
 namespace octet {
 
-class WallMemo;  ///< geom/wall_sizing.h
+struct SizeMemo;  ///< geom/size_memo.h
 
 /// Edge lengths in model units (millimetre), angles in radians.
 struct SizeControl {
@@ -50,9 +50,9 @@ struct SizePlan {
   double growth = 2.0;
 };
 
-/// InputError for a control that makes no sense or an attribute that names nothing. `walls`, where given:
-/// what the last plan of the same part found of walls and gaps, and what this one finds.
-[[nodiscard]] SizePlan plan_sizes(const Model& model, const SizeControl& control, WallMemo* walls = nullptr);
+/// InputError for a control that makes no sense or an attribute that names nothing. `memo`, where given:
+/// what earlier plans of the same part found of it, and what this one finds.
+[[nodiscard]] SizePlan plan_sizes(const Model& model, const SizeControl& control, SizeMemo* memo = nullptr);
 
 /// The plan that the same part gets about where nothing but a size is asked for, and one so many times as
 /// large: wishes for walls and features stay, those the larger size leaves room for are missing. For

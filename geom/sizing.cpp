@@ -8,30 +8,38 @@
 #include <cstdint>
 #include <limits>
 #include <string_view>
+#include <tuple>
 #include <utility>
 
+#include "base/blocks.h"
 #include "geom/facet_bvh.h"
 #include "geom/size_wishes.h"
 
 namespace octet {
 namespace {
 
-/// An edge walked in steps: points, parameters and chord lengths.
+/// An edge walked in steps: points, parameters and unit tangents.
 struct EdgeWalk {
   int edge = 0;
   std::vector<double> t;
   std::vector<Vec3> point, tangent;
 };
 
+/// Where the walk of an edge in n steps is after i of them.
+double step_at(const ModelEdge& edge, std::size_t i, std::size_t n) {
+  return i == n ? edge.t1 : edge.t0 + (edge.t1 - edge.t0) * static_cast<double>(i) / static_cast<double>(n);
+}
+
 EdgeWalk walk_edge(const Model& model, int tag, double step) {
   const ModelEdge& edge = model.edge(tag);
   const bool straight = std::string_view(model.curve(tag).kind()) == "line";
   const int least = straight ? 8 : 24;
-  const int n = std::clamp(static_cast<int>(std::ceil(edge.length / step)), least, 4096);
+  const auto n =
+      static_cast<std::size_t>(std::clamp(static_cast<int>(std::ceil(edge.length / step)), least, 4096));
   EdgeWalk walk;
   walk.edge = tag;
-  for (int i = 0; i <= n; ++i) {
-    const double t = i == n ? edge.t1 : edge.t0 + (edge.t1 - edge.t0) * i / n;
+  for (std::size_t i = 0; i <= n; ++i) {
+    const double t = step_at(edge, i, n);
     walk.t.push_back(t);
     walk.point.push_back(model.edge_point(tag, t));
     const Vec3 d = model.edge_derivative(tag, t);
@@ -46,6 +54,9 @@ constexpr double kSagitta = 1.5;
 
 double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
+/// Edges, chords and facets that one task works on: few, for what one costs varies.
+constexpr std::size_t kEdgeBlock = 16, kChordBlock = 512, kFacetBlock = 1024;
+
 /// All walks as a hierarchy of chords, to find the nearest edge that is no neighbour: one that shares a
 /// vertex, or comes nearer than `touching` somewhere.
 class ChordIndex {
@@ -53,22 +64,33 @@ class ChordIndex {
   ChordIndex(const Model& model, const std::vector<EdgeWalk>& walks, double touching)
       : model_(model), touched_(static_cast<std::size_t>(model.count(1)) + 1) {
     Facets chords;
-    std::vector<double> sagittas;
     for (const EdgeWalk& walk : walks)
       for (std::size_t i = 0; i + 1 < walk.point.size(); ++i) {
         const auto n = static_cast<std::uint32_t>(chords.nodes.size());
-        const Vec3 &from = walk.point[i], &to = walk.point[i + 1];
-        const double middle = 0.5 * (walk.t[i] + walk.t[i + 1]);
-        chords.nodes.push_back(from);
-        chords.nodes.push_back(to);
+        chords.nodes.push_back(walk.point[i]);
+        chords.nodes.push_back(walk.point[i + 1]);
         chords.triangles.push_back({n, n + 1, n + 1});
         chords.face.push_back(1);
-        chord_.push_back({walk.edge, middle});
-        sagittas.push_back(kSagitta * (model.edge_point(walk.edge, middle) - 0.5 * (from + to)).norm());
+        chord_.push_back({walk.edge, 0.5 * (walk.t[i] + walk.t[i + 1])});
       }
+    const auto sagittas = collect<double>(
+        chord_.size(),
+        [&](std::size_t c, std::vector<double>& list) {
+          const Vec3 middle = 0.5 * (chords.nodes[2 * c] + chords.nodes[2 * c + 1]);
+          list.push_back(kSagitta * (model.edge_point(chord_[c].edge, chord_[c].t) - middle).norm());
+        },
+        kChordBlock);
     bvh_ = FacetBvh(chords, sagittas, 1);
-    for (const EdgeWalk& walk : walks)
-      for (const Vec3& p : walk.point) find_touched(walk.edge, p, touching);
+    const auto near = collect<std::array<int, 2>>(
+        walks.size(),
+        [&](std::size_t w, std::vector<std::array<int, 2>>& pairs) {
+          find_touched(walks[w], touching, pairs);
+        },
+        kEdgeBlock);
+    for (const auto& [edge, other] : near) {
+      add_touched(edge, other);
+      add_touched(other, edge);
+    }
   }
 
   /// Distance from p to the nearest edge that is no neighbour of `edge`, infinite beyond `limit`.
@@ -85,26 +107,36 @@ class ChordIndex {
     int edge;
     double t;
   };
-  [[nodiscard]] bool neighbours(int a, int b) const {
+  /// True of an edge and itself, too.
+  [[nodiscard]] bool share_vertex(int a, int b) const {
     if (a == b) return true;
     for (const int v : model_.edge(a).vertex)
       for (const int w : model_.edge(b).vertex)
         if (v == w) return true;
+    return false;
+  }
+  [[nodiscard]] bool neighbours(int a, int b) const {
+    if (share_vertex(a, b)) return true;
     const std::vector<int>& touched = touched_[static_cast<std::size_t>(a)];
     return std::binary_search(touched.begin(), touched.end(), b);
   }
-  void find_touched(int edge, const Vec3& p, double touching) {
-    bvh_.visit_within(p, touching, 0, [&](const FacetFoot& foot) {
-      const Chord& chord = chord_[foot.triangle];
-      if (neighbours(edge, chord.edge)) return;
-      if (model_.edge_project(chord.edge, p, chord.t).distance >= touching) return;
-      add_touched(edge, chord.edge);
-      add_touched(chord.edge, edge);
-    });
+  /// Appends the edge of the walk and another that comes near and shares no vertex, once for each.
+  void find_touched(const EdgeWalk& walk, double touching, std::vector<std::array<int, 2>>& pairs) const {
+    const auto own = pairs.size();
+    for (const Vec3& p : walk.point)
+      bvh_.visit_within(p, touching, 0, [&](const FacetFoot& foot) {
+        const Chord& chord = chord_[foot.triangle];
+        const std::array<int, 2> pair{walk.edge, chord.edge};
+        if (share_vertex(walk.edge, chord.edge)) return;
+        if (std::find(pairs.begin() + static_cast<std::ptrdiff_t>(own), pairs.end(), pair) != pairs.end())
+          return;
+        if (model_.edge_project(chord.edge, p, chord.t).distance < touching) pairs.push_back(pair);
+      });
   }
   void add_touched(int edge, int other) {
     std::vector<int>& touched = touched_[static_cast<std::size_t>(edge)];
-    touched.insert(std::lower_bound(touched.begin(), touched.end(), other), other);
+    const auto place = std::lower_bound(touched.begin(), touched.end(), other);
+    if (place == touched.end() || *place != other) touched.insert(place, other);
   }
 
   const Model& model_;
@@ -118,13 +150,6 @@ class ChordIndex {
 /// the octants are.
 constexpr double kUnresolved = 1.0 / 32.0;
 
-/// Turning per length between the steps gives the curvature without second derivatives, kinks included.
-double turning_size(const EdgeWalk& walk, std::size_t step, double angle) {
-  const double turn = angle_between(walk.tangent[step], walk.tangent[step + 1]);
-  const double length = (walk.point[step + 1] - walk.point[step]).norm();
-  return turn > 1e-9 ? angle * length / turn : std::numeric_limits<double>::infinity();
-}
-
 /// What is wished for between two steps of a walk, and why.
 struct StepWish {
   double size;
@@ -136,28 +161,57 @@ struct StepWish {
   }
 };
 
-void wish_along(const Model& model, const EdgeWalk& walk, const ChordIndex& index,
-                const SizingOptions& options, Wishes& wishes) {
-  const ModelEdge& edge = model.edge(walk.edge);
+/// What a walk tells of an edge, whatever is asked for about curvature: at each end of a step the size that
+/// the nearest strange edge asks for, and of each step the turning and the length. Turning per length gives
+/// the curvature without second derivatives, kinks included.
+struct EdgeSteps {
+  int edge = 0;
+  std::vector<double> gap, turn, length;
+};
+
+EdgeSteps steps_of(const EdgeWalk& walk, const ChordIndex& index, const SizingOptions& options) {
+  EdgeSteps steps;
+  steps.edge = walk.edge;
+  const double limit = options.size * options.edge_gap_elements;
+  for (const Vec3& p : walk.point)
+    steps.gap.push_back(options.edge_gap_elements > 0.0
+                            ? index.gap(walk.edge, p, limit) / options.edge_gap_elements
+                            : std::numeric_limits<double>::infinity());
+  for (std::size_t i = 0; i + 1 < walk.point.size(); ++i) {
+    steps.turn.push_back(angle_between(walk.tangent[i], walk.tangent[i + 1]));
+    steps.length.push_back((walk.point[i + 1] - walk.point[i]).norm());
+  }
+  return steps;
+}
+
+std::vector<EdgeSteps> steps_of_edges(const Model& model, const SizingOptions& options) {
+  std::vector<int> edges;
+  for (int e = 1; e <= model.count(1); ++e)
+    if (model.edge(e).use == EdgeUse::kReal) edges.push_back(e);
+  const auto walks = map_blocks<EdgeWalk>(edges.size(), 1, [&](std::size_t i, std::size_t /*next*/) {
+    return walk_edge(model, edges[i], 0.5 * options.size);
+  });
+  const ChordIndex index(model, walks, kUnresolved * options.min_size);
+  return map_blocks<EdgeSteps>(walks.size(), 1, [&](std::size_t i, std::size_t /*next*/) {
+    return steps_of(walks[i], index, options);
+  });
+}
+
+void wish_along(const Model& model, const EdgeSteps& steps, const SizingOptions& options, Wishes& wishes) {
+  const ModelEdge& edge = model.edge(steps.edge);
   const bool has_length = edge.vertex[0] != edge.vertex[1] && options.edge_share > 0.0 &&
                           edge.length >= kUnresolved * options.min_size;
-  const auto gap_at = [&](std::size_t i) {
-    if (!(options.edge_gap_elements > 0.0)) return std::numeric_limits<double>::infinity();
-    const double limit = options.size * options.edge_gap_elements;
-    return index.gap(walk.edge, walk.point[i], limit) / options.edge_gap_elements;
-  };
-  double gap = gap_at(0);
-  for (std::size_t i = 0; i + 1 < walk.point.size(); ++i) {
-    const double next_gap = gap_at(i + 1);
+  const std::size_t n = steps.length.size();
+  for (std::size_t i = 0; i < n; ++i) {
     StepWish wish{options.size, SizeReason::kGlobal};
     if (has_length) wish.lower_to(options.edge_share * edge.length, SizeReason::kShortEdge);
-    wish.lower_to(std::min(gap, next_gap), SizeReason::kEdgeGap);
-    if (options.curvature_angle > 0.0)
-      wish.lower_to(std::max(turning_size(walk, i, options.curvature_angle), options.curvature_floor),
-                    SizeReason::kCurvature);
-    gap = next_gap;
-    wish_on_edge(model, walk.edge, walk.t[i], walk.t[i + 1], wish.size, {model_edge(walk.edge), wish.why},
-                 wishes);
+    wish.lower_to(std::min(steps.gap[i], steps.gap[i + 1]), SizeReason::kEdgeGap);
+    if (options.curvature_angle > 0.0 && steps.turn[i] > 1e-9)
+      wish.lower_to(
+          std::max(options.curvature_angle * steps.length[i] / steps.turn[i], options.curvature_floor),
+          SizeReason::kCurvature);
+    wish_on_edge(model, steps.edge, step_at(edge, i, n), step_at(edge, i + 1, n), wish.size,
+                 {model_edge(steps.edge), wish.why}, wishes);
   }
 }
 
@@ -191,18 +245,19 @@ double turning_rate(const Model& model, int face, const std::array<Vec2, 3>& cor
   return all < 2.0 * kFlat ? 0.0 : largest;
 }
 
-/// Of faces at nodes of their facets: the facets around a node ask for the same.
+/// Of faces at nodes of their facets: the facets around a node ask for the same, one soon after the other.
 class NodeCurvatures {
  public:
-  explicit NodeCurvatures(const Model& model) : model_(model), known_(model.facets().nodes.size()) {}
+  explicit NodeCurvatures(const Model& model) : model_(model), known_(kKept) {}
 
   double at(int face, std::uint32_t node, const Vec2& uv) {
-    Known& known = known_[node];
+    Known& known = known_[node % kKept];
     if (known.face != face || known.uv != uv) known = {face, uv, model_.face_curvature(face, uv)};
     return known.curvature;
   }
 
  private:
+  static constexpr std::uint32_t kKept = 2048;
   struct Known {
     int face = 0;
     Vec2 uv = Vec2::Zero();
@@ -212,34 +267,36 @@ class NodeCurvatures {
   std::vector<Known> known_;
 };
 
-/// The curvature at the corners, the largest, but no more than twice what the facet turns; 0 where it is no
-/// more than `least`. Beside a side of no length derivatives of a patch of splines are small and wrong: its
-/// curvature was that of 1e-30 to 0.2 mm where it is flat to 0.001 radians, at places that depended on how
-/// the part was turned.
-double facet_curvature(const Model& model, std::size_t facet, double least, NodeCurvatures& curvatures) {
-  constexpr double kBelieved = 2.0;
-  const int face = model.facets().face[facet];
-  const std::array<Vec2, 3>& corners = model.facets().uv[facet];
-  double curvature = 0.0;
-  for (std::size_t k = 0; k < 3; ++k)
-    curvature = std::max(curvature, curvatures.at(face, model.facets().triangles[facet][k], corners[k]));
-  if (curvature <= least) return 0.0;
-  return std::min(curvature, kBelieved * turning_rate(model, face, corners));
+/// The largest of a facet's corners; 0 on planes.
+std::vector<double> corner_curvatures(const Model& model) {
+  const Facets& facets = model.facets();
+  return joined(map_blocks<std::vector<double>>(
+      facets.triangles.size(), kFacetBlock, [&](std::size_t first, std::size_t last) {
+        std::vector<double> list(last - first, 0.0);
+        NodeCurvatures curvatures(model);
+        for (std::size_t i = first; i < last; ++i) {
+          if (model.is_plane(facets.face[i])) continue;
+          for (std::size_t k = 0; k < 3; ++k)
+            list[i - first] = std::max(
+                list[i - first], curvatures.at(facets.face[i], facets.triangles[i][k], facets.uv[i][k]));
+        }
+        return list;
+      }));
 }
 
-void wish_on_faces(const Model& model, const SizingOptions& options, Wishes& wishes) {
-  const Facets& facets = model.facets();
-  const double least = options.curvature_angle / options.size;  // what asks for no more than the size
-  NodeCurvatures curvatures(model);
-  for (std::size_t i = 0; i < facets.triangles.size(); ++i) {
-    const int face = facets.face[i];
-    if (model.is_plane(face)) continue;
-    const double curvature = facet_curvature(model, i, least, curvatures);
-    if (curvature > 0.0)
-      wish_on_triangle(facet_corners(facets, i),
-                       std::max(options.curvature_angle / curvature, options.curvature_floor),
-                       {model_face(face), SizeReason::kCurvature}, wishes);
-  }
+/// A step that is not known yet.
+constexpr double kUnknown = -1.0;
+
+/// What the wishes of blocks of [0, n) leave, in the order of the items.
+template <class Visit>
+void append_wishes(std::size_t n, std::size_t block, const SizingOptions& options, const Visit& visit,
+                   std::vector<SizeSample>& samples) {
+  const auto found = map_blocks<std::vector<SizeSample>>(n, block, [&](std::size_t first, std::size_t last) {
+    Wishes wishes(options.size, options.min_size);
+    for (std::size_t i = first; i < last; ++i) visit(i, wishes);
+    return wishes.take();
+  });
+  for (const std::vector<SizeSample>& list : found) samples.insert(samples.end(), list.begin(), list.end());
 }
 
 /// Elements along the diagonal of a compact part, ten along the side of a cube; and of a small one of many: a
@@ -248,15 +305,62 @@ constexpr double kAlongPart = 17.0, kAlongRegion = 12.0;
 
 }  // namespace
 
+struct FeatureMemo::Edges {
+  double size, min_size, gap_elements;  ///< of the question
+  std::vector<EdgeSteps> steps;
+};
+
+struct FeatureMemo::Faces {
+  std::vector<double> at_corners;  ///< per facet: the largest curvature; 0 on planes
+  std::vector<double> turning;     ///< per facet: turning_rate(), or kUnknown
+};
+
+FeatureMemo::FeatureMemo() = default;
+FeatureMemo::~FeatureMemo() = default;
+
+std::vector<SizeSample> FeatureMemo::sizes(const Model& model, const SizingOptions& options) {
+  if (!edges_ || std::tie(edges_->size, edges_->min_size, edges_->gap_elements) !=
+                     std::tie(options.size, options.min_size, options.edge_gap_elements))
+    edges_.reset(
+        new Edges{options.size, options.min_size, options.edge_gap_elements, steps_of_edges(model, options)});
+  std::vector<SizeSample> samples;
+  append_wishes(
+      edges_->steps.size(), kEdgeBlock, options,
+      [&](std::size_t i, Wishes& wishes) { wish_along(model, edges_->steps[i], options, wishes); }, samples);
+  if (options.curvature_angle > 0.0) {
+    const Facets& facets = model.facets();
+    if (!faces_) {
+      faces_.reset(new Faces{corner_curvatures(model), {}});
+      faces_->turning.assign(facets.triangles.size(), kUnknown);
+    }
+    append_wishes(
+        facets.triangles.size(), kFacetBlock, options,
+        [&](std::size_t i, Wishes& wishes) { wish_on_facet(model, i, options, wishes); }, samples);
+  }
+  return samples;
+}
+
+/// The curvature at the corners, but no more than twice what the facet turns. Beside a side of no length
+/// derivatives of a patch of splines are small and wrong: its curvature was that of 1e-30 to 0.2 mm where it
+/// is flat to 0.001 radians, at places that depended on how the part was turned.
+void FeatureMemo::wish_on_facet(const Model& model, std::size_t facet, const SizingOptions& options,
+                                Wishes& wishes) {
+  constexpr double kBelieved = 2.0;
+  const double least = options.curvature_angle / options.size;  // what asks for no more than the size
+  if (faces_->at_corners[facet] <= least) return;
+  const Facets& facets = model.facets();
+  const int face = facets.face[facet];
+  double& turning = faces_->turning[facet];
+  if (turning == kUnknown) turning = turning_rate(model, face, facets.uv[facet]);
+  const double curvature = std::min(faces_->at_corners[facet], kBelieved * turning);
+  if (curvature > 0.0)
+    wish_on_triangle(facet_corners(facets, facet),
+                     std::max(options.curvature_angle / curvature, options.curvature_floor),
+                     {model_face(face), SizeReason::kCurvature}, wishes);
+}
+
 std::vector<SizeSample> feature_sizes(const Model& model, const SizingOptions& options) {
-  Wishes wishes(options.size, options.min_size);
-  std::vector<EdgeWalk> walks;
-  for (int e = 1; e <= model.count(1); ++e)
-    if (model.edge(e).use == EdgeUse::kReal) walks.push_back(walk_edge(model, e, 0.5 * options.size));
-  const ChordIndex index(model, walks, kUnresolved * options.min_size);
-  for (const EdgeWalk& walk : walks) wish_along(model, walk, index, options, wishes);
-  if (options.curvature_angle > 0.0) wish_on_faces(model, options, wishes);
-  return wishes.take();
+  return FeatureMemo().sizes(model, options);
 }
 
 // Twice the volume over the surface is the thickness of a plate and a third of a cube's side. The size is

@@ -2,12 +2,16 @@
 // Where the part itself asks for elements smaller than the size asked for.
 #pragma once
 
+#include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "base/size_sample.h"
 #include "geom/model.h"
 
 namespace octet {
+
+class Wishes;  ///< geom/size_wishes.h
 
 struct SizingOptions {
   double size = 0.0;               ///< h: the size asked for, model units
@@ -24,6 +28,25 @@ struct SizingOptions {
 /// Samples are dense enough that every octant of the wished size that meets the entity holds one, or a
 /// neighbour does.
 [[nodiscard]] std::vector<SizeSample> feature_sizes(const Model& model, const SizingOptions& options);
+
+/// What was found of one part's edges and faces, for a search that asks again: nearest edges of the last size
+/// asked for, and of facets all that does not depend on the question.
+class FeatureMemo {
+ public:
+  FeatureMemo();
+  ~FeatureMemo();
+  FeatureMemo(const FeatureMemo&) = delete;
+  FeatureMemo& operator=(const FeatureMemo&) = delete;
+  /// As feature_sizes(). Requires the same model each time.
+  [[nodiscard]] std::vector<SizeSample> sizes(const Model& model, const SizingOptions& options);
+
+ private:
+  struct Edges;
+  struct Faces;
+  void wish_on_facet(const Model& model, std::size_t facet, const SizingOptions& options, Wishes& wishes);
+  std::unique_ptr<Edges> edges_;
+  std::unique_ptr<Faces> faces_;
+};
 
 /// A sensible size when none is given: from the diagonal, the volume and the surface (documented in the
 /// source).

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "geom/size_wishes.h"
@@ -126,6 +127,34 @@ TEST(Sizing, NoWishIsBelowTheSmallestSizeOrAboveTheSizeAskedFor) {
       EXPECT_GE(w.size, 0.3);
       EXPECT_LT(w.size, 0.5);
     }
+}
+
+TEST(Sizing, WhatIsKnownOfFeaturesAnswersAnotherQuestionAsAnewSearchDoes) {
+  const Model cylinder = analytic_cylinder(1.0, 0.25);
+  FeatureMemo memo;
+  const auto listed = [](const std::vector<SizeSample>& samples) {
+    std::vector<std::pair<Vec3, double>> list;
+    for (const SizeSample& s : samples) list.emplace_back(s.place, s.size);
+    return list;
+  };
+  SizingOptions asked = options(1.0);
+  const auto look = [&] {
+    const auto anew = listed(feature_sizes(cylinder, asked));
+    EXPECT_EQ(listed(memo.sizes(cylinder, asked)), anew);
+    return anew;
+  };
+  asked.curvature_angle = 0.785;
+  const auto first = look();
+  asked.curvature_angle = 0.2;
+  const auto rounder = look();
+  EXPECT_GT(rounder.size(), first.size());
+  asked.size = 0.3;
+  EXPECT_NE(look(), rounder);
+  asked.edge_gap_elements = 4.0;
+  asked.curvature_angle = 0.0;
+  EXPECT_FALSE(look().empty());
+  asked.min_size = 0.1;
+  look();
 }
 
 TEST(Sizing, DefaultSizeFollowsThicknessBetweenItsBounds) {
