@@ -53,7 +53,7 @@ constexpr double kFinestAtGaps = 1.0 / 64.0;
 /// What finalization begins with is kept up to so many tetrahedra, for meshes without gaps that fail a claim:
 /// they are finalized again with some of the boundary held. Larger ones, which would take its memory in every
 /// run for the few that come to this, are made again from the same tree.
-constexpr std::size_t kKeptTets = 1'000'000;
+constexpr std::size_t kKeptTets = 2'000'000;
 /// How often it is then made again with smaller octants at its faults.
 constexpr int kSecondTries = 3;
 /// In attempts after the first octree vertices keep farther off: middle layers of walls, which the nearer
@@ -182,8 +182,10 @@ class Run {
   /// is made anew. The attempt with the fewest gaps is kept.
   void mesh_band(Octree tree) {
     std::optional<Openness> mark;
-    for (int depth = 0, best = 0;; ++depth) {
+    int kept = 0, depth = 0;
+    for (int best = 0;; ++depth) {
       auto next = attempt(std::move(tree));
+      if (in_vain_) close_below_floor(*next);
       const Openness open = openness(next->closed.gaps);
       const bool better = !band_ || open < openness(band_->closed.gaps);
       if (!mark || clearly_less(open, *mark)) {
@@ -202,12 +204,16 @@ class Run {
       if (finer)
         observer_.note(fmt::format("{} gaps left: their octants subdivided, {} octants now",
                                    next->closed.gaps.size(), finer->size()));
-      if (better) band_ = std::move(next);
+      if (better) {
+        band_ = std::move(next);
+        kept = depth;
+      }
       if (!finer) break;
       tree = std::move(*finer);
     }
-    close_below_floor();
+    close_below_floor(*band_);
     gaps_left_ = !band_->closed.gaps.empty();
+    in_vain_ = in_vain_ || (kept > 0 && kept < depth && !gaps_left_);
     if (gaps_left_) find_all_gaps(*band_);
     broken_ = broken_regions(*band_, model_);
     auto& faults = result_.report.faults;
@@ -224,15 +230,15 @@ class Run {
 
   /// Points nearer to each other than is good for elements, for the gaps that nothing else closes. About a
   /// boundary that is known to cross itself they open the more gaps the nearer they are.
-  void close_below_floor() {
+  void close_below_floor(Attempt& attempt) {
     if (hopeless_) return;
     std::size_t most = kHopelessGaps;
     for (const double share : kLastFloorShares) {
-      const std::size_t gaps = band_->closed.gaps.size();
+      const std::size_t gaps = attempt.closed.gaps.size();
       if (gaps == 0 || gaps > most) return;
       if (!crossings_.empty()) most = std::min(most, 2 * gaps);
       observer_.note(fmt::format("{} gaps left: points may be nearer to each other", gaps));
-      close_attempt(*band_, share);
+      close_attempt(attempt, share);
     }
   }
 
@@ -518,6 +524,7 @@ class Run {
   std::optional<Octree> tree_;  ///< that of the mesh, when the band has gone
   std::optional<Begun> begun_;  ///< where it is kept; then the band stays
   bool again_ = false;          ///< the next try is from there
+  bool in_vain_ = false;        ///< smaller octants left no fewer gaps, which nearer points then closed
 };
 
 /// What the making of a mesh took besides its own stages.
