@@ -90,9 +90,12 @@ ConsoleOptions console_options(const MeshCommand& command) {
 int mesh_to_file(const MeshCommand& command, const MeshOptions& options, const LengthUnit& unit,
                  const RunNames& names, const std::vector<MeshFormat>& formats) {
   Console console(console_options(command));
-  MeshedFile made = mesh_file(
-      command.part, command.reading, [&](const Model& part) { return mesh_part(part, options, console); },
-      console);
+  const auto mesh = [&](const Model& part, bool leave_large) {
+    MeshOptions own = options;
+    own.leave_large = leave_large;
+    return mesh_part(part, own, console);
+  };
+  MeshedFile made = mesh_file(command.part, command.reading, mesh, console);
   const Model& model = made.model;
   MeshReport& report = made.result.report;
 

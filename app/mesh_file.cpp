@@ -20,7 +20,7 @@
 namespace octet {
 namespace {
 
-using Mesher = std::function<MeshResult(const Model&)>;
+using Mesher = std::function<MeshResult(const Model&, bool leave_large)>;
 
 /// Of the diagonal: nothing larger is taken away for a file's word alone.
 constexpr double kMostByAccuracy = 1e-5;
@@ -41,8 +41,8 @@ ReadFile read_file(const std::filesystem::path& path, const ReadOptions& reading
   return {std::move(model), clock.lap("reading")};
 }
 
-MeshedFile mesh_read(ReadFile file, const Mesher& mesh) {
-  MeshResult result = mesh(file.model);
+MeshedFile mesh_read(ReadFile file, const Mesher& mesh, bool leave_large) {
+  MeshResult result = mesh(file.model, leave_large);
   result.report.times.insert(result.report.times.begin(), file.time);
   return {std::move(file.model), std::move(result)};
 }
@@ -101,7 +101,7 @@ std::optional<MeshedFile> without_smaller(const std::filesystem::path& path, Rea
     bool same = true;
     for (int dim = 0; dim <= 3; ++dim) same = same && file.model.count(dim) == before.count(dim);
     if (same) return std::nullopt;
-    return mesh_read(std::move(file), mesh);
+    return mesh_read(std::move(file), mesh, true);
   } catch (const Cancelled&) {
     throw;
   } catch (const std::exception& error) {  // the first mesh is not lost for it
@@ -123,6 +123,13 @@ void add_other_try(std::vector<StageTime>& times, StageTime other) {
   found->peak_bytes = std::max(found->peak_bytes, other.peak_bytes);
 }
 
+/// Why the part is meshed without its smallest features.
+std::string trouble_of(const MeshedFile& first) {
+  const double large = first.result.report.left_large;
+  return large > 0.0 ? fmt::format("with it the mesh needs about {:.2g} elements to have no faults", large)
+                     : fmt::format("with it the mesh had {} faults", faults_of_mesh(first));
+}
+
 /// In front of all others.
 Model with_first_note(const Model& model, const std::string& note) {
   ModelParts parts = model.parts();
@@ -135,7 +142,8 @@ Model with_first_note(const Model& model, const std::string& note) {
 MeshedFile mesh_file(const std::filesystem::path& path, const ReadOptions& reading, const Mesher& mesh,
                      Observer& observer) {
   StageClock clock;
-  MeshedFile first = mesh_read(read_file(path, reading, observer), mesh);
+  const bool may_take = reading.smallest_feature == 0.0;
+  MeshedFile first = mesh_read(read_file(path, reading, observer), mesh, may_take);
   if (faults_of_mesh(first) == 0) return first;
   const StageTime first_time = clock.lap("other tries");
   std::vector<StageTime> in_vain;
@@ -152,10 +160,17 @@ MeshedFile mesh_file(const std::filesystem::path& path, const ReadOptions& readi
     for (const StageTime& time : in_vain) add_other_try(second->result.report.times, time);
     second->model = with_first_note(
         second->model,
-        fmt::format("what is smaller than {:.4g} mm was taken away, as with --defeature {}: with it the mesh "
-                    "had {} faults, and {}",
-                    smallest.length, smallest.length, faults_of_mesh(first), smallest.reason));
+        fmt::format("what is smaller than {:.4g} mm was taken away, as with --defeature {}: {}, and {}",
+                    smallest.length, smallest.length, trouble_of(first), smallest.reason));
     return *std::move(second);
+  }
+  if (first.result.report.left_large > 0.0) {
+    const StageTime reading_time = first.result.report.times.front();
+    StageTime smaller_mesh = first_time;
+    smaller_mesh.seconds -= reading_time.seconds;
+    smaller_mesh.cpu_seconds -= reading_time.cpu_seconds;
+    in_vain.push_back(smaller_mesh);
+    first = mesh_read({std::move(first.model), reading_time}, mesh, false);
   }
   for (const StageTime& time : in_vain) add_other_try(first.result.report.times, time);
   return first;

@@ -31,6 +31,9 @@ struct MeshOptions : SizeControl {
   bool finalize = true;
   std::array<double, 3> shift = kRootShift;   ///< of the part in the lattice: octree/root.h
   FinalizeScope scope = FinalizeScope::kAll;  ///< of finalization
+  /// Where no size is asked for, and only a mesh of more elements than there may be without
+  /// (most_by_default()) may have no faults: a smaller one is made, with its faults and `left_large`.
+  bool leave_large = false;
   int order = 1;  ///< of the elements: 2 gives each edge a node in its middle, on the curved faces
 };
 
@@ -53,6 +56,7 @@ struct MeshReport {
   /// A size at which most of the boundary had no mesh faces: the one used, or a larger one that was tried
   /// before; 0: none.
   double too_coarse = 0.0;
+  double left_large = 0.0;  ///< elements of the mesh that MeshOptions::leave_large spared; 0: none
   std::vector<Fault> faults;
   std::vector<Fault> warnings;  ///< what is a danger at this size though the mesh may be complete: wide gaps
   SizeShortfall shortfall;      ///< where the part is finer than the size asked for

@@ -110,6 +110,10 @@ MeshResult mesh_within_bounds(const Model& model, const MeshOptions& options, co
   const double scale = std::sqrt(count / (kSafeShare * most));
   MeshResult coarser = mesh(scaled_sizes(model, chosen, scale), kUnbounded);
   if (!result && (open || coarser.report.status == MeshStatus::kComplete)) return coarser;
+  if (!result && options.leave_large) {
+    coarser.report.left_large = count;
+    return coarser;
+  }
   if (!result) result = mesh(chosen, kUnbounded);
   const auto rank = [](const MeshResult& r) {
     return std::pair(r.report.status != MeshStatus::kComplete, r.report.tets);
@@ -143,6 +147,7 @@ MeshResult mesh_by_default(const Model& model, const MeshOptions& options, const
   std::optional<MeshResult> finer = mesh_by_width(model, options, mesh, result.report, memo);
   if (!finer || finer->report.faults.size() >= result.report.faults.size()) return result;
   finer->report.too_coarse = std::max(finer->report.too_coarse, result.report.too_coarse);
+  finer->report.left_large = result.report.left_large;
   return *std::move(finer);
 }
 

@@ -244,6 +244,15 @@ TEST(ScaledSizes, AMeshThatIsLargerThanPromisedIsMadeAgain) {
   EXPECT_EQ(by_default(open_when_coarse, {}).status, MeshStatus::kComplete) << "rather too large than open";
   EXPECT_EQ(open_when_coarse.sizes.size(), 3u);
   EXPECT_EQ(open_when_coarse.sizes[2], open_when_coarse.sizes[0]);
+  MeshOptions leaving;
+  leaving.leave_large = true;
+  Pretender left(many, 1.01 * size, 10.0);
+  const MeshReport small_one = by_default(left, leaving);
+  EXPECT_EQ(small_one.status, MeshStatus::kIncomplete);
+  EXPECT_NEAR(small_one.left_large, 633'000.0, 1.0);
+  EXPECT_EQ(left.sizes.size(), 2u);
+  Pretender not_left(many, 0.0, 0.0);
+  EXPECT_EQ(by_default(not_left, leaving).left_large, 0.0);
   MeshOptions bounded;
   bounded.min_size = 0.001;
   Pretender asked(many, 0.0, 0.0);
