@@ -284,7 +284,7 @@ std::vector<double> corner_curvatures(const Model& model) {
       }));
 }
 
-/// A step that is not known yet.
+/// A turning that is not known yet.
 constexpr double kUnknown = -1.0;
 
 /// What the wishes of blocks of [0, n) leave, in the order of the items.
