@@ -90,9 +90,9 @@ ConsoleOptions console_options(const MeshCommand& command) {
 int mesh_to_file(const MeshCommand& command, const MeshOptions& options, const LengthUnit& unit,
                  const RunNames& names, const std::vector<MeshFormat>& formats) {
   Console console(console_options(command));
-  const auto mesh = [&](const Model& part, bool leave_large) {
+  const auto mesh = [&](const Model& part, LargeMesh large_mesh) {
     MeshOptions own = options;
-    own.leave_large = leave_large;
+    own.large_mesh = large_mesh;
     return mesh_part(part, own, console);
   };
   MeshedFile made = mesh_file(command.part, command.reading, mesh, console);

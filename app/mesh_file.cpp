@@ -20,7 +20,7 @@
 namespace octet {
 namespace {
 
-using Mesher = std::function<MeshResult(const Model&, bool leave_large)>;
+using Mesher = std::function<MeshResult(const Model&, LargeMesh)>;
 
 /// Of the diagonal: nothing larger is taken away for a file's word alone.
 constexpr double kMostByAccuracy = 1e-5;
@@ -41,8 +41,8 @@ ReadFile read_file(const std::filesystem::path& path, const ReadOptions& reading
   return {std::move(model), clock.lap("reading")};
 }
 
-MeshedFile mesh_read(ReadFile file, const Mesher& mesh, bool leave_large) {
-  MeshResult result = mesh(file.model, leave_large);
+MeshedFile mesh_read(ReadFile file, const Mesher& mesh, LargeMesh large_mesh) {
+  MeshResult result = mesh(file.model, large_mesh);
   result.report.times.insert(result.report.times.begin(), file.time);
   return {std::move(file.model), std::move(result)};
 }
@@ -101,7 +101,7 @@ std::optional<MeshedFile> without_smaller(const std::filesystem::path& path, Rea
     bool same = true;
     for (int dim = 0; dim <= 3; ++dim) same = same && file.model.count(dim) == before.count(dim);
     if (same) return std::nullopt;
-    return mesh_read(std::move(file), mesh, true);
+    return mesh_read(std::move(file), mesh, LargeMesh::kNever);
   } catch (const Cancelled&) {
     throw;
   } catch (const std::exception& error) {  // the first mesh is not lost for it
@@ -112,8 +112,9 @@ std::optional<MeshedFile> without_smaller(const std::filesystem::path& path, Rea
 
 /// Both of the first and the other time go to the mesh that is kept.
 void add_other_try(std::vector<StageTime>& times, StageTime other) {
+  other.name = "other tries";
   const auto found = std::find_if(times.begin(), times.end(),
-                                  [](const StageTime& time) { return time.name == "other tries"; });
+                                  [&](const StageTime& time) { return time.name == other.name; });
   if (found == times.end()) {
     times.insert(times.begin(), other);
     return;
@@ -126,8 +127,8 @@ void add_other_try(std::vector<StageTime>& times, StageTime other) {
 /// Why the part is meshed without its smallest features.
 std::string trouble_of(const MeshedFile& first) {
   const double large = first.result.report.left_large;
-  return large > 0.0 ? fmt::format("with it the mesh needs about {:.2g} elements to have no faults", large)
-                     : fmt::format("with it the mesh had {} faults", faults_of_mesh(first));
+  return fmt::format("with it the mesh had {} faults{}", faults_of_mesh(first),
+                     large > 0.0 ? fmt::format(", or about {:.2g} elements", large) : "");
 }
 
 /// In front of all others.
@@ -141,11 +142,13 @@ Model with_first_note(const Model& model, const std::string& note) {
 
 MeshedFile mesh_file(const std::filesystem::path& path, const ReadOptions& reading, const Mesher& mesh,
                      Observer& observer) {
+  ReadFile file = read_file(path, reading, observer);
+  const StageTime reading_time = file.time;
   StageClock clock;
-  const bool may_take = reading.smallest_feature == 0.0;
-  MeshedFile first = mesh_read(read_file(path, reading, observer), mesh, may_take);
+  MeshedFile first =
+      mesh_read(std::move(file), mesh, reading.smallest_feature > 0.0 ? LargeMesh::kLast : LargeMesh::kNever);
   if (faults_of_mesh(first) == 0) return first;
-  const StageTime first_time = clock.lap("other tries");
+  const StageTime first_time = clock.lap({});
   std::vector<StageTime> in_vain;
   for (const Smallest& smallest : smallest_to_try(first, reading)) {
     observer.note(fmt::format("once more without what is smaller than {:.4g} mm, for {}", smallest.length,
@@ -153,10 +156,10 @@ MeshedFile mesh_file(const std::filesystem::path& path, const ReadOptions& readi
     std::optional<MeshedFile> second =
         without_smaller(path, reading, mesh, smallest.length, first.model, observer);
     if (!second || !is_mended(*second, first)) {
-      in_vain.push_back(clock.lap("other tries"));
+      in_vain.push_back(clock.lap({}));
       continue;
     }
-    in_vain.push_back(first_time);
+    in_vain.insert(in_vain.end(), {reading_time, first_time});
     for (const StageTime& time : in_vain) add_other_try(second->result.report.times, time);
     second->model = with_first_note(
         second->model,
@@ -165,12 +168,8 @@ MeshedFile mesh_file(const std::filesystem::path& path, const ReadOptions& readi
     return *std::move(second);
   }
   if (first.result.report.left_large > 0.0) {
-    const StageTime reading_time = first.result.report.times.front();
-    StageTime smaller_mesh = first_time;
-    smaller_mesh.seconds -= reading_time.seconds;
-    smaller_mesh.cpu_seconds -= reading_time.cpu_seconds;
-    in_vain.push_back(smaller_mesh);
-    first = mesh_read({std::move(first.model), reading_time}, mesh, false);
+    in_vain.push_back(first_time);
+    first = mesh_read({std::move(first.model), reading_time}, mesh, LargeMesh::kAtOnce);
   }
   for (const StageTime& time : in_vain) add_other_try(first.result.report.times, time);
   return first;

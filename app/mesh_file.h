@@ -21,11 +21,10 @@ struct MeshedFile {
 /// no element resolves, smaller than 1e-4 of the diagonal, 4e-4 of the cube root of the least solid's volume
 /// and a hundredth of the size. The first such mesh without faults is taken, where reading found no more of
 /// them than before; the first note of the model says so. `mesh`: as mesh_part(), with
-/// MeshOptions::leave_large where it is told to: where a mesh larger than a default one may be is the only
-/// one left to try, the part is first looked at without its smallest features. Throws what read_part() and
-/// `mesh` throw.
+/// MeshOptions::large_mesh as it is told: a mesh larger than a default one may be is not made before the part
+/// has been looked at without its smallest features. Throws what read_part() and `mesh` throw.
 [[nodiscard]] MeshedFile mesh_file(const std::filesystem::path& path, const ReadOptions& reading,
-                                   const std::function<MeshResult(const Model&, bool leave_large)>& mesh,
+                                   const std::function<MeshResult(const Model&, LargeMesh)>& mesh,
                                    Observer& observer);
 
 }  // namespace octet

@@ -23,6 +23,13 @@
 
 namespace octet {
 
+/// When a mesh of more elements than there may be where no size is asked for (most_by_default()) is made.
+enum class LargeMesh {
+  kLast,    ///< where one of larger elements has faults
+  kNever,   ///< that one is the result, with MeshReport::left_large
+  kAtOnce,  ///< before one of larger elements
+};
+
 /// Sizes (geom/size_plan.h), and what else a run may be told.
 struct MeshOptions : SizeControl {
   double target_elements = 0.0;  ///< sizes are scaled to get about so many tetrahedra; 0: as they are
@@ -31,9 +38,7 @@ struct MeshOptions : SizeControl {
   bool finalize = true;
   std::array<double, 3> shift = kRootShift;   ///< of the part in the lattice: octree/root.h
   FinalizeScope scope = FinalizeScope::kAll;  ///< of finalization
-  /// Where no size is asked for, and only a mesh of more elements than there may be without
-  /// (most_by_default()) may have no faults: a smaller one is made, with its faults and `left_large`.
-  bool leave_large = false;
+  LargeMesh large_mesh = LargeMesh::kLast;
   int order = 1;  ///< of the elements: 2 gives each edge a node in its middle, on the curved faces
 };
 
@@ -56,7 +61,7 @@ struct MeshReport {
   /// A size at which most of the boundary had no mesh faces: the one used, or a larger one that was tried
   /// before; 0: none.
   double too_coarse = 0.0;
-  double left_large = 0.0;  ///< elements of the mesh that MeshOptions::leave_large spared; 0: none
+  double left_large = 0.0;  ///< elements of the mesh that was not made for LargeMesh::kNever; 0: none
   std::vector<Fault> faults;
   std::vector<Fault> warnings;  ///< what is a danger at this size though the mesh may be complete: wide gaps
   SizeShortfall shortfall;      ///< where the part is finer than the size asked for

@@ -213,6 +213,7 @@ class Run {
     }
     close_below_floor(*band_);
     gaps_left_ = !band_->closed.gaps.empty();
+    // The first attempt is no measure: its octree vertices stand nearer to the boundary.
     in_vain_ = in_vain_ || (kept > 0 && kept < depth && !gaps_left_);
     if (gaps_left_) find_all_gaps(*band_);
     broken_ = broken_regions(*band_, model_);

@@ -38,7 +38,7 @@ void add_reading_options(CLI::App& command, ReadOptions& reading) {
           "--defeature", reading.smallest_feature,
           "Take away edges shorter, and faces, spikes and slits narrower than this (mm) where the part "
           "stays closed and keeps its volume to a twentieth, and list them (default: what rounding leaves; "
-          "if a mesh has faults, or only one of far too many elements would have none, also what is "
+          "if a mesh has faults, or only one of far too many elements might have none, also what is "
           "below the accuracy that the STEP file states, or far below the size)")
       ->type_name("LENGTH")
       ->check(CLI::PositiveNumber);

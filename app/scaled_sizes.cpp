@@ -128,7 +128,7 @@ bool has_free_sizes(const MeshOptions& options) {
 
 double most_by_default(const Model& model) { return kMost * std::max(1.0, model.count(2) / kManyFaces); }
 
-MeshOptions with_default_size(const Model& model, const MeshOptions& options, SizeMemo* known) {
+MeshOptions with_default_size(const Model& model, const MeshOptions& options, SizeMemo* memo) {
   if (options.size != 0.0) return options;
   MeshOptions chosen = options;
   chosen.size = global_size(model, options);
@@ -136,10 +136,10 @@ MeshOptions with_default_size(const Model& model, const MeshOptions& options, Si
   if (options.small_regions) chosen.region_scale = 1.0;
   if (!has_free_sizes(options)) return chosen;
   SizeMemo own;
-  SizeMemo& memo = known != nullptr ? *known : own;  // a circle's elements change neither walls nor gaps
-  Sized first = sized(model, chosen, memo);
+  SizeMemo& known = memo != nullptr ? *memo : own;  // a circle's elements change neither walls nor gaps
+  Sized first = sized(model, chosen, known);
   if (first.elements < kUsualMost && has_free_curvature(options))
-    first = with_rounder_faces(model, std::move(first), memo);
+    first = with_rounder_faces(model, std::move(first), known);
   const double wanted = std::clamp(first.elements, kFewest, most_for(model, first));
   if (std::abs(std::log(first.elements / wanted)) < kNear) return first.options;
   const auto sizes = [&](double log_scale) {
@@ -151,7 +151,7 @@ MeshOptions with_default_size(const Model& model, const MeshOptions& options, Si
   };
   const auto planned = [&](double log_scale) {
     return log_scale >= 0.0 ? coarsened(first.plan, std::exp(log_scale))
-                            : plan_sizes(model, sizes(log_scale), &memo);
+                            : plan_sizes(model, sizes(log_scale), &known);
   };
   return sizes(log_scale_for(model, planned, std::log(wanted), 0.0, kNear));
 }

@@ -97,7 +97,8 @@ MeshResult mesh_within_bounds(const Model& model, const MeshOptions& options, co
   double count = 0.0;
   bool open = false;
   try {
-    result = mesh(chosen, has_free_sizes(options) ? most : kUnbounded);
+    const bool bounded = has_free_sizes(options) && options.large_mesh != LargeMesh::kAtOnce;
+    result = mesh(chosen, bounded ? most : kUnbounded);
     count = static_cast<double>(result->report.tets);
   } catch (const TooManyTets& many) {
     count = many.count;
@@ -110,7 +111,7 @@ MeshResult mesh_within_bounds(const Model& model, const MeshOptions& options, co
   const double scale = std::sqrt(count / (kSafeShare * most));
   MeshResult coarser = mesh(scaled_sizes(model, chosen, scale), kUnbounded);
   if (!result && (open || coarser.report.status == MeshStatus::kComplete)) return coarser;
-  if (!result && options.leave_large) {
+  if (!result && options.large_mesh == LargeMesh::kNever) {
     coarser.report.left_large = count;
     return coarser;
   }

@@ -287,16 +287,34 @@ std::vector<double> corner_curvatures(const Model& model) {
 /// A turning that is not known yet.
 constexpr double kUnknown = -1.0;
 
-/// What the wishes of blocks of [0, n) leave, in the order of the items.
+/// The curvature at the corners, but no more than twice what the facet turns, which is found where it is
+/// kUnknown. Beside a side of no length derivatives of a patch of splines are small and wrong: its curvature
+/// was that of 1e-30 to 0.2 mm where it is flat to 0.001 radians, at places that depended on how the part was
+/// turned.
+void wish_on_facet(const Model& model, std::size_t facet, double at_corners, double& turning,
+                   const SizingOptions& options, Wishes& wishes) {
+  constexpr double kBelieved = 2.0;
+  const double least = options.curvature_angle / options.size;  // what asks for no more than the size
+  if (at_corners <= least) return;
+  const Facets& facets = model.facets();
+  const int face = facets.face[facet];
+  if (turning == kUnknown) turning = turning_rate(model, face, facets.uv[facet]);
+  const double curvature = std::min(at_corners, kBelieved * turning);
+  if (curvature > 0.0)
+    wish_on_triangle(facet_corners(facets, facet),
+                     std::max(options.curvature_angle / curvature, options.curvature_floor),
+                     {model_face(face), SizeReason::kCurvature}, wishes);
+}
+
+/// What visit(i, wishes) wishes for each i of [0, n), in their order. Blocks in parallel.
 template <class Visit>
-void append_wishes(std::size_t n, std::size_t block, const SizingOptions& options, const Visit& visit,
-                   std::vector<SizeSample>& samples) {
-  const auto found = map_blocks<std::vector<SizeSample>>(n, block, [&](std::size_t first, std::size_t last) {
+std::vector<SizeSample> wishes_of(std::size_t n, std::size_t block, const SizingOptions& options,
+                                  const Visit& visit) {
+  return joined(map_blocks<std::vector<SizeSample>>(n, block, [&](std::size_t first, std::size_t last) {
     Wishes wishes(options.size, options.min_size);
     for (std::size_t i = first; i < last; ++i) visit(i, wishes);
     return wishes.take();
-  });
-  for (const std::vector<SizeSample>& list : found) samples.insert(samples.end(), list.begin(), list.end());
+  }));
 }
 
 /// Elements along the diagonal of a compact part, ten along the side of a cube; and of a small one of many: a
@@ -323,40 +341,18 @@ std::vector<SizeSample> FeatureMemo::sizes(const Model& model, const SizingOptio
                      std::tie(options.size, options.min_size, options.edge_gap_elements))
     edges_.reset(
         new Edges{options.size, options.min_size, options.edge_gap_elements, steps_of_edges(model, options)});
-  std::vector<SizeSample> samples;
-  append_wishes(
-      edges_->steps.size(), kEdgeBlock, options,
-      [&](std::size_t i, Wishes& wishes) { wish_along(model, edges_->steps[i], options, wishes); }, samples);
-  if (options.curvature_angle > 0.0) {
-    const Facets& facets = model.facets();
-    if (!faces_) {
-      faces_.reset(new Faces{corner_curvatures(model), {}});
-      faces_->turning.assign(facets.triangles.size(), kUnknown);
-    }
-    append_wishes(
-        facets.triangles.size(), kFacetBlock, options,
-        [&](std::size_t i, Wishes& wishes) { wish_on_facet(model, i, options, wishes); }, samples);
-  }
+  std::vector<SizeSample> samples =
+      wishes_of(edges_->steps.size(), kEdgeBlock, options,
+                [&](std::size_t i, Wishes& wishes) { wish_along(model, edges_->steps[i], options, wishes); });
+  if (!(options.curvature_angle > 0.0)) return samples;
+  const std::size_t facets = model.facets().triangles.size();
+  if (!faces_) faces_.reset(new Faces{corner_curvatures(model), std::vector<double>(facets, kUnknown)});
+  const std::vector<SizeSample> on_faces =
+      wishes_of(facets, kFacetBlock, options, [&](std::size_t i, Wishes& wishes) {
+        wish_on_facet(model, i, faces_->at_corners[i], faces_->turning[i], options, wishes);
+      });
+  samples.insert(samples.end(), on_faces.begin(), on_faces.end());
   return samples;
-}
-
-/// The curvature at the corners, but no more than twice what the facet turns. Beside a side of no length
-/// derivatives of a patch of splines are small and wrong: its curvature was that of 1e-30 to 0.2 mm where it
-/// is flat to 0.001 radians, at places that depended on how the part was turned.
-void FeatureMemo::wish_on_facet(const Model& model, std::size_t facet, const SizingOptions& options,
-                                Wishes& wishes) {
-  constexpr double kBelieved = 2.0;
-  const double least = options.curvature_angle / options.size;  // what asks for no more than the size
-  if (faces_->at_corners[facet] <= least) return;
-  const Facets& facets = model.facets();
-  const int face = facets.face[facet];
-  double& turning = faces_->turning[facet];
-  if (turning == kUnknown) turning = turning_rate(model, face, facets.uv[facet]);
-  const double curvature = std::min(faces_->at_corners[facet], kBelieved * turning);
-  if (curvature > 0.0)
-    wish_on_triangle(facet_corners(facets, facet),
-                     std::max(options.curvature_angle / curvature, options.curvature_floor),
-                     {model_face(face), SizeReason::kCurvature}, wishes);
 }
 
 std::vector<SizeSample> feature_sizes(const Model& model, const SizingOptions& options) {

@@ -2,7 +2,6 @@
 // Where the part itself asks for elements smaller than the size asked for.
 #pragma once
 
-#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -10,8 +9,6 @@
 #include "geom/model.h"
 
 namespace octet {
-
-class Wishes;  ///< geom/size_wishes.h
 
 struct SizingOptions {
   double size = 0.0;               ///< h: the size asked for, model units
@@ -43,7 +40,6 @@ class FeatureMemo {
  private:
   struct Edges;
   struct Faces;
-  void wish_on_facet(const Model& model, std::size_t facet, const SizingOptions& options, Wishes& wishes);
   std::unique_ptr<Edges> edges_;
   std::unique_ptr<Faces> faces_;
 };

@@ -18,14 +18,14 @@ class MeshFile : public testing::Test {
   /// block without.
   MeshedFile run(const std::string& accuracy, std::size_t left, const ReadOptions& reading = {}) {
     const ChamferedBlock block(accuracy);
-    const auto mesh = [&](const Model& model, bool leave_large) {
+    const auto mesh = [&](const Model& model, LargeMesh large_mesh) {
       faces_.push_back(model.count(2));
-      left_.push_back(leave_large);
+      asked_.push_back(large_mesh);
       MeshResult result;
       result.report.size = size_;
       result.report.faults.resize(model.count(2) == 7 ? 3 : left);
-      if (large_ > 0.0 && model.count(2) == 7 && leave_large) result.report.left_large = large_;
-      if (large_ > 0.0 && !leave_large) result.report.faults.clear();
+      if (large_ > 0.0 && large_mesh != LargeMesh::kNever) result.report.faults.clear();
+      if (large_ > 0.0 && !result.report.faults.empty()) result.report.left_large = large_;
       if (result.report.faults.empty()) result.report.status = MeshStatus::kComplete;
       return result;
     };
@@ -34,9 +34,9 @@ class MeshFile : public testing::Test {
   }
 
   std::vector<int> faces_;  ///< of the models that were meshed
-  std::vector<bool> left_;  ///< whether large meshes were to be left
-  double size_ = 0.01;      ///< that the mesher tells
-  double large_ = 0.0;      ///< elements that the block needs with its chamfer to have no faults
+  std::vector<LargeMesh> asked_;
+  double size_ = 0.01;  ///< that the mesher tells
+  double large_ = 0.0;  ///< elements of a mesh without faults
 };
 
 TEST_F(MeshFile, IsMadeAgainWithoutWhatTheFileIsNotAccurateTo) {
@@ -104,15 +104,14 @@ TEST_F(MeshFile, IsMadeWithoutWhatIsSmallestBeforeItIsMadeLarge) {
   EXPECT_EQ(faces_, (std::vector<int>{7, 6}));
   EXPECT_EQ(made.model.count(2), 6);
   const std::string& note = made.model.notes().front();
-  EXPECT_NE(note.find("with it the mesh needs about 9.6e+05 elements to have no faults"), std::string::npos)
-      << note;
+  EXPECT_NE(note.find("with it the mesh had 3 faults, or about 9.6e+05 elements"), std::string::npos) << note;
 }
 
 TEST_F(MeshFile, IsMadeLargeWhereNothingElseHelps) {
   large_ = 960'000.0;
   const MeshedFile made = run("0.01", 1);
   EXPECT_EQ(faces_, (std::vector<int>{7, 6, 7}));
-  EXPECT_EQ(left_, (std::vector<bool>{true, true, false}));
+  EXPECT_EQ(asked_, (std::vector{LargeMesh::kNever, LargeMesh::kNever, LargeMesh::kAtOnce}));
   EXPECT_EQ(made.model.count(2), 7);
   EXPECT_EQ(made.result.report.status, MeshStatus::kComplete);
   ASSERT_EQ(made.result.report.times.size(), 2u);
@@ -120,12 +119,12 @@ TEST_F(MeshFile, IsMadeLargeWhereNothingElseHelps) {
   EXPECT_EQ(made.result.report.times[1].name, "reading");
 }
 
-TEST_F(MeshFile, IsMadeLargeAtOnceWhereASmallestFeatureIsGiven) {
+TEST_F(MeshFile, MayBeLargeWhereASmallestFeatureIsGiven) {
   ReadOptions reading;
   reading.smallest_feature = 2e-4;
   large_ = 960'000.0;
   EXPECT_EQ(run("0.01", 0, reading).result.report.status, MeshStatus::kComplete);
-  EXPECT_EQ(left_, (std::vector<bool>{false}));
+  EXPECT_EQ(asked_, std::vector{LargeMesh::kLast});
 }
 
 TEST_F(MeshFile, KeepsWhatElementsOfTheSizeMayResolve) {

@@ -245,7 +245,7 @@ TEST(ScaledSizes, AMeshThatIsLargerThanPromisedIsMadeAgain) {
   EXPECT_EQ(open_when_coarse.sizes.size(), 3u);
   EXPECT_EQ(open_when_coarse.sizes[2], open_when_coarse.sizes[0]);
   MeshOptions leaving;
-  leaving.leave_large = true;
+  leaving.large_mesh = LargeMesh::kNever;
   Pretender left(many, 1.01 * size, 10.0);
   const MeshReport small_one = by_default(left, leaving);
   EXPECT_EQ(small_one.status, MeshStatus::kIncomplete);
@@ -253,6 +253,11 @@ TEST(ScaledSizes, AMeshThatIsLargerThanPromisedIsMadeAgain) {
   EXPECT_EQ(left.sizes.size(), 2u);
   Pretender not_left(many, 0.0, 0.0);
   EXPECT_EQ(by_default(not_left, leaving).left_large, 0.0);
+  MeshOptions at_once;
+  at_once.large_mesh = LargeMesh::kAtOnce;
+  Pretender large_at_once(many, 1.01 * size, 10.0);
+  EXPECT_NEAR(static_cast<double>(by_default(large_at_once, at_once).tets), 633'000.0, 1.0);
+  EXPECT_EQ(large_at_once.sizes.size(), 1u);
   MeshOptions bounded;
   bounded.min_size = 0.001;
   Pretender asked(many, 0.0, 0.0);
