@@ -4,13 +4,31 @@
 
 #include <gtest/gtest.h>
 
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
+#include <BRepLib.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom2d_BSplineCurve.hxx>
+#include <Geom_Plane.hxx>
+#include <Poly_PolygonOnTriangulation.hxx>
+#include <Poly_Triangulation.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TColgp_Array1OfPnt2d.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
 #include <cmath>
+#include <gp.hxx>
+#include <utility>
 
+#include "geom/occt/canonical.h"
 #include "geom/occt/from_shape.h"
 
 namespace octet {
@@ -47,6 +65,67 @@ TEST(Integrals, OfARing) {
   const double area = 4.0 * M_PI * M_PI * 30.0, volume = 2.0 * M_PI * M_PI * 90.0;
   EXPECT_NEAR(area_of(ring), area, 1e-9 * area);
   EXPECT_NEAR(ring.region(1).volume, volume, 1e-9 * volume);
+}
+
+/// A planar face under one triangle, (0, 0), (5, -10), (10, 0), and a spline from (10, 0) back to (0, 0) of
+/// three parabolas, of which the triangulation has the chord alone.
+TopoDS_Face under_three_parabolas(const Handle(Geom2d_BSplineCurve) & spline) {
+  const Handle(Geom_Plane) plane = new Geom_Plane(gp::XOY());
+  const gp_Pnt left(0.0, 0.0, 0.0), below(5.0, -10.0, 0.0), right(10.0, 0.0, 0.0);
+  BRepBuilderAPI_MakeWire wire(BRepBuilderAPI_MakeEdge(left, below), BRepBuilderAPI_MakeEdge(below, right),
+                               BRepBuilderAPI_MakeEdge(spline, plane));
+  BRepLib::BuildCurves3d(wire.Wire());
+  const TopoDS_Face face = BRepBuilderAPI_MakeFace(plane, wire.Wire());
+  const Handle(Poly_Triangulation) triangulation = new Poly_Triangulation(3, 1, true);
+  int node = 0;
+  for (const gp_Pnt& p : {left, below, right}) {
+    triangulation->SetNode(++node, p);
+    triangulation->SetUVNode(node, gp_Pnt2d(p.X(), p.Y()));
+  }
+  triangulation->SetTriangle(1, Poly_Triangle(1, 2, 3));
+  BRep_Builder builder;
+  builder.UpdateFace(face, triangulation);
+  TColStd_Array1OfInteger nodes(1, 2);
+  nodes(1) = 3;
+  nodes(2) = 1;
+  TColStd_Array1OfReal parameters(1, 2);
+  parameters(1) = spline->FirstParameter();
+  parameters(2) = spline->LastParameter();
+  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
+    const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
+    double first = 0.0, last = 0.0;
+    if (BRep_Tool::CurveOnSurface(edge, face, first, last)->IsKind(STANDARD_TYPE(Geom2d_BSplineCurve)))
+      builder.UpdateEdge(edge, new Poly_PolygonOnTriangulation(nodes, parameters), triangulation);
+  }
+  return face;
+}
+
+TEST(Integrals, OfAFaceWhoseSideIsASplineOfSeveralPieces) {
+  TColgp_Array1OfPnt2d poles(1, 5);
+  int pole = 0;
+  for (const auto& [x, y] : {std::pair(10.0, 0.0), {9.5, 3.0}, {8.0, 1.0}, {1.0, 4.0}, {0.0, 0.0}})
+    poles(++pole) = gp_Pnt2d(x, y);
+  TColStd_Array1OfReal knots(1, 4);
+  TColStd_Array1OfInteger times(1, 4);
+  int knot = 0;
+  for (const auto& [at, multiplicity] : {std::pair(0.0, 3), {0.2, 1}, {0.7, 1}, {1.0, 3}}) {
+    knots(++knot) = at;
+    times(knot) = multiplicity;
+  }
+  const Handle(Geom2d_BSplineCurve) spline = new Geom2d_BSplineCurve(poles, knots, times, 2);
+  const TopoDS_Face face = under_three_parabolas(spline);
+
+  double above = 0.0;  // by Simpson's rule, exact for parabolas' areas
+  for (int k = 1; k < 4; ++k) {
+    const double step = knots(k + 1) - knots(k);
+    for (const auto& [share, weight] : {std::pair(0.0, 1.0 / 6), {0.5, 4.0 / 6}, {1.0, 1.0 / 6}}) {
+      gp_Pnt2d p;
+      gp_Vec2d d;
+      spline->D1(knots(k) + share * step, p, d);
+      above += 0.5 * weight * step * (p.X() * d.Y() - p.Y() * d.X());
+    }
+  }
+  EXPECT_NEAR(integrate_face(face, *make_surface(face, 1)).area, 50.0 + above, 1e-9);
 }
 
 }  // namespace
