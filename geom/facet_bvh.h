@@ -114,9 +114,9 @@ class FacetBvh {
   [[nodiscard]] std::uint32_t triangle(std::uint32_t item) const { return items_[item].triangle; }
   /// Around the triangle, grown.
   [[nodiscard]] const FloatBox& box_of(std::uint32_t item) const { return items_[item]; }
-  [[nodiscard]] bool item_meets(std::uint32_t item, const BoxProbe& box) const {
-    const Item& of = items_[item];
-    return !of.apart(box.outer) && (box.outer.holds(of) || meets(of, box));
+  /// Whether the triangle's grown box and grown plane meet the box.
+  [[nodiscard]] bool item_meets(std::uint32_t item, const Box3& box) const {
+    return meets(items_[item], box, box.centre(), 0.5 * box.size());
   }
   [[nodiscard]] bool item_meets(std::uint32_t item, const Probe& probe) const {
     return probe.beside(items_[item]) && meets(items_[item], probe.p, probe.q);
@@ -166,9 +166,12 @@ class FacetBvh {
   /// What is left to ask where the boxes meet.
   [[nodiscard]] static bool meets(const Item& item, const Vec3& p, const Vec3& q);
   [[nodiscard]] static bool meets(const Item& item, const BoxProbe& box) {
-    if (item.apart(box.box)) return false;
-    const double reach = item.normal.cwiseAbs().dot(box.half) + item.grow;
-    return std::abs(item.normal.dot(box.centre - item.a)) <= reach;
+    return meets(item, box.box, box.centre, box.half);
+  }
+  [[nodiscard]] static bool meets(const Item& item, const Box3& box, const Vec3& centre, const Vec3& half) {
+    if (item.apart(box)) return false;
+    const double reach = item.normal.cwiseAbs().dot(half) + item.grow;
+    return std::abs(item.normal.dot(centre - item.a)) <= reach;
   }
   [[nodiscard]] static FacetFoot foot(const Item& item, const Vec3& p);
 

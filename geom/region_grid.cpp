@@ -6,14 +6,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace octet {
 namespace {
 
 /// Cells in all, as cubes: a few milliseconds to build, and most of the inside of a compact part, or of a
-/// plate of a twentieth of its length, is known.
-constexpr double kCells = 1 << 17;
+/// plate of a twentieth of its length, is known. Where facets are few, fewer cells for each: a question among
+/// a handful of facets costs no more in a large cell, and a box of twelve would wait for its lattice the
+/// tenth part of its run.
+constexpr double kMostCellsInAll = 1 << 17, kFewestCellsInAll = 1 << 13, kCellsAFacet = 32;
 constexpr int kMostCells = 512;                                            ///< along one side
 constexpr std::int32_t kEmpty = std::numeric_limits<std::int32_t>::max();  // not yet flooded
 
@@ -24,13 +25,12 @@ RegionGrid::RegionGrid(const FacetBvh& bvh, const Box3& box,
   if (box.empty() || !(box.size().maxCoeff() > 0.0)) return;
   lo_ = box.lo;
   const Vec3 size = box.size().cwiseMax(box.size().maxCoeff() / kMostCells);
-  width_ = std::max(std::cbrt(size.prod() / kCells), size.maxCoeff() / kMostCells);
+  const double cells = std::clamp(kCellsAFacet * bvh.items(), kFewestCellsInAll, kMostCellsInAll);
+  width_ = std::max(std::cbrt(size.prod() / cells), size.maxCoeff() / kMostCells);
   for (int k = 0; k < 3; ++k)
     cells_[k] = std::clamp(static_cast<int>(std::ceil(box.size()[k] / width_)), 1, kMostCells);
   label_.assign(static_cast<std::size_t>(cells_[0]) * cells_[1] * cells_[2], kEmpty);
-  std::vector<std::uint32_t> all(bvh.items());
-  std::iota(all.begin(), all.end(), 0u);
-  sort_items(bvh, {0, 0, 0}, cells_, all, all.size());
+  sort_items(bvh);
   Cell c;
   for (c[2] = 0; c[2] < cells_[2]; ++c[2])
     for (c[1] = 0; c[1] < cells_[1]; ++c[1])
@@ -47,27 +47,50 @@ Box3 RegionGrid::box_of(const Cell& lo, const Cell& hi) const {
   return box.grown(1e-9 * width_);
 }
 
-/// Halves the block of cells until it is empty or one cell.
-void RegionGrid::sort_items(const FacetBvh& bvh, const Cell& lo, const Cell& hi,
-                            std::vector<std::uint32_t>& near, std::size_t count) {
-  const FacetBvh::BoxProbe box(box_of(lo, hi));
-  const std::size_t given = near.size() - count, kept = near.size();
-  for (std::size_t i = given; i < kept; ++i)
-    if (bvh.item_meets(near[i], box)) near.push_back(near[i]);
+/// The cells that hold the corners of the box, or are next to where those lie outside.
+void RegionGrid::find_cells(const FloatBox& box, Cell& lo, Cell& hi) const {
+  constexpr double kSlack = 1e-6;  // of a cell, against rounding
+  for (int k = 0; k < 3; ++k) {
+    const double last = cells_[k] - 1;
+    lo[k] = static_cast<int>(std::clamp((box.lo[k] - lo_[k]) / width_ - kSlack, 0.0, last));
+    hi[k] = static_cast<int>(std::clamp((box.hi[k] - lo_[k]) / width_ + kSlack, 0.0, last)) + 1;
+  }
+}
+
+/// Halves the block of cells, where the item meets it, until it is one cell.
+void RegionGrid::find_met(const FacetBvh& bvh, std::uint32_t item, const Cell& lo, const Cell& hi,
+                          std::vector<Met>& met) const {
+  if (!bvh.item_meets(item, box_of(lo, hi))) return;
   int axis = 0;
   for (int k = 1; k < 3; ++k)
     if (hi[k] - lo[k] > hi[axis] - lo[axis]) axis = k;
-  if (near.size() > kept && hi[axis] - lo[axis] > 1) {
-    Cell middle_hi = hi, middle_lo = lo;
-    middle_hi[axis] = middle_lo[axis] = (lo[axis] + hi[axis]) / 2;
-    sort_items(bvh, lo, middle_hi, near, near.size() - kept);
-    sort_items(bvh, middle_lo, hi, near, near.size() - kept);
-  } else if (near.size() > kept) {
-    label_[index(lo)] = ~static_cast<std::int32_t>(first_.size() - 1);
-    items_.insert(items_.end(), near.begin() + static_cast<std::ptrdiff_t>(kept), near.end());
-    first_.push_back(static_cast<std::uint32_t>(items_.size()));
+  if (hi[axis] - lo[axis] == 1) {
+    met.push_back({static_cast<std::uint32_t>(index(lo)), item});
+    return;
   }
-  near.resize(kept);
+  Cell middle_hi = hi, middle_lo = lo;
+  middle_hi[axis] = middle_lo[axis] = (lo[axis] + hi[axis]) / 2;
+  find_met(bvh, item, lo, middle_hi, met);
+  find_met(bvh, item, middle_lo, hi, met);
+}
+
+void RegionGrid::sort_items(const FacetBvh& bvh) {
+  std::vector<Met> met;
+  for (std::uint32_t item = 0; item < bvh.items(); ++item) {
+    Cell lo, hi;
+    find_cells(bvh.box_of(item), lo, hi);
+    find_met(bvh, item, lo, hi, met);
+  }
+  std::vector<std::uint32_t> count(label_.size(), 0);
+  for (const Met& m : met) ++count[m.cell];
+  for (std::size_t c = 0; c < count.size(); ++c) {
+    if (count[c] == 0) continue;
+    label_[c] = ~static_cast<std::int32_t>(first_.size() - 1);
+    first_.push_back(first_.back() + count[c]);
+  }
+  items_.resize(met.size());
+  std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+  for (const Met& m : met) items_[next[static_cast<std::size_t>(~label_[m.cell])]++] = m.item;
 }
 
 void RegionGrid::flood(const Cell& start, int region) {

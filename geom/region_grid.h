@@ -39,9 +39,15 @@ class RegionGrid {
     return (static_cast<std::size_t>(c[2]) * cells_[1] + c[1]) * cells_[0] + c[0];
   }
   [[nodiscard]] Box3 box_of(const Cell& lo, const Cell& hi) const;
-  /// Fills `label_` and `items_`; `near` ends with the `count` items that the block of cells may meet.
-  void sort_items(const FacetBvh& bvh, const Cell& lo, const Cell& hi, std::vector<std::uint32_t>& near,
-                  std::size_t count);
+  void find_cells(const FloatBox& box, Cell& lo, Cell& hi) const;
+  /// An item of the hierarchy in a cell that it meets.
+  struct Met {
+    std::uint32_t cell, item;
+  };
+  void find_met(const FacetBvh& bvh, std::uint32_t item, const Cell& lo, const Cell& hi,
+                std::vector<Met>& met) const;
+  /// Fills `label_` and `items_`.
+  void sort_items(const FacetBvh& bvh);
   void flood(const Cell& start, int region);
 
   Vec3 lo_ = Vec3::Zero();
