@@ -205,11 +205,10 @@ void add_slivers(const TopoDS_Edge& edge, const TopoDS_Face& face,
     };
     const Vec2 a = uv_node(*triangulation, polygon->Node(k)),
                b = uv_node(*triangulation, polygon->Node(k + 1));
-    double from = 0.0;
-    for (auto end = std::upper_bound(ends.begin(), ends.end(), t0); from < 1.0; ++end) {
-      const double to = end == ends.end() || *end >= t1 ? 1.0 : (*end - t0) / step;
+    auto end = std::upper_bound(ends.begin(), ends.end(), t0);
+    for (double from = 0.0, to = 0.0; from < 1.0; from = to) {
+      to = end != ends.end() && *end < t1 ? (*end++ - t0) / step : 1.0;
       total.add(integrator.sliver(a, b, at, from, to), sign);
-      from = to;
     }
   }
 }
