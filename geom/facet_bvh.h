@@ -165,9 +165,6 @@ class FacetBvh {
   [[nodiscard]] std::int32_t root_of(int face) const { return face == 0 ? root_ : face_root_[face]; }
   /// What is left to ask where the boxes meet.
   [[nodiscard]] static bool meets(const Item& item, const Vec3& p, const Vec3& q);
-  [[nodiscard]] static bool meets(const Item& item, const BoxProbe& box) {
-    return meets(item, box.box, box.centre, box.half);
-  }
   [[nodiscard]] static bool meets(const Item& item, const Box3& box, const Vec3& centre, const Vec3& half) {
     if (item.apart(box)) return false;
     const double reach = item.normal.cwiseAbs().dot(half) + item.grow;
@@ -218,7 +215,9 @@ bool FacetBvh::any_item_in_box(const Box3& box, const Misses& misses, const Acce
       continue;
     }
     for (std::int32_t i = node.first; i < node.first - node.second; ++i)
-      if (!passes(items_[i]) && meets(items_[i], probe) && accept(static_cast<std::uint32_t>(i))) return true;
+      if (!passes(items_[i]) && meets(items_[i], probe.box, probe.centre, probe.half) &&
+          accept(static_cast<std::uint32_t>(i)))
+        return true;
   }
   return false;
 }

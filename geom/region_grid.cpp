@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/bucket_sort.h"
+
 namespace octet {
 namespace {
 
@@ -14,8 +16,8 @@ namespace {
 /// plate of a twentieth of its length, is known. Where facets are few, fewer cells for each: a question among
 /// a handful of facets costs no more in a large cell, and a box of twelve would wait for its lattice the
 /// tenth part of its run.
-constexpr double kMostCellsInAll = 1 << 17, kFewestCellsInAll = 1 << 13, kCellsAFacet = 32;
-constexpr int kMostCells = 512;                                            ///< along one side
+constexpr double kMostCells = 1 << 17, kFewestCells = 1 << 13, kCellsAFacet = 32;
+constexpr int kMostAlong = 512;                                            ///< along one side
 constexpr std::int32_t kEmpty = std::numeric_limits<std::int32_t>::max();  // not yet flooded
 
 }  // namespace
@@ -24,11 +26,11 @@ RegionGrid::RegionGrid(const FacetBvh& bvh, const Box3& box,
                        const std::function<int(const Vec3&)>& region_at) {
   if (box.empty() || !(box.size().maxCoeff() > 0.0)) return;
   lo_ = box.lo;
-  const Vec3 size = box.size().cwiseMax(box.size().maxCoeff() / kMostCells);
-  const double cells = std::clamp(kCellsAFacet * bvh.items(), kFewestCellsInAll, kMostCellsInAll);
-  width_ = std::max(std::cbrt(size.prod() / cells), size.maxCoeff() / kMostCells);
+  const Vec3 size = box.size().cwiseMax(box.size().maxCoeff() / kMostAlong);
+  const double cells = std::clamp(kCellsAFacet * bvh.items(), kFewestCells, kMostCells);
+  width_ = std::max(std::cbrt(size.prod() / cells), size.maxCoeff() / kMostAlong);
   for (int k = 0; k < 3; ++k)
-    cells_[k] = std::clamp(static_cast<int>(std::ceil(box.size()[k] / width_)), 1, kMostCells);
+    cells_[k] = std::clamp(static_cast<int>(std::ceil(box.size()[k] / width_)), 1, kMostAlong);
   label_.assign(static_cast<std::size_t>(cells_[0]) * cells_[1] * cells_[2], kEmpty);
   sort_items(bvh);
   Cell c;
@@ -45,16 +47,6 @@ Box3 RegionGrid::box_of(const Cell& lo, const Cell& hi) const {
   box.hi = lo_ + width_ * Vec3(hi[0], hi[1], hi[2]);
   // Slightly larger, so that a point that rounding puts into the next cell is safe.
   return box.grown(1e-9 * width_);
-}
-
-/// The cells that hold the corners of the box, or are next to where those lie outside.
-void RegionGrid::find_cells(const FloatBox& box, Cell& lo, Cell& hi) const {
-  constexpr double kSlack = 1e-6;  // of a cell, against rounding
-  for (int k = 0; k < 3; ++k) {
-    const double last = cells_[k] - 1;
-    lo[k] = static_cast<int>(std::clamp((box.lo[k] - lo_[k]) / width_ - kSlack, 0.0, last));
-    hi[k] = static_cast<int>(std::clamp((box.hi[k] - lo_[k]) / width_ + kSlack, 0.0, last)) + 1;
-  }
 }
 
 /// Halves the block of cells, where the item meets it, until it is one cell.
@@ -75,22 +67,25 @@ void RegionGrid::find_met(const FacetBvh& bvh, std::uint32_t item, const Cell& l
 }
 
 void RegionGrid::sort_items(const FacetBvh& bvh) {
+  const Vec3 slack = Vec3::Constant(1e-6 * width_);  // more than cells are grown
   std::vector<Met> met;
   for (std::uint32_t item = 0; item < bvh.items(); ++item) {
-    Cell lo, hi;
-    find_cells(bvh.box_of(item), lo, hi);
-    find_met(bvh, item, lo, hi, met);
+    const FloatBox& box = bvh.box_of(item);
+    Cell first, last;
+    find_cells(Vec3(box.lo[0], box.lo[1], box.lo[2]) - slack, Vec3(box.hi[0], box.hi[1], box.hi[2]) + slack,
+               first, last);
+    find_met(bvh, item, first, {last[0] + 1, last[1] + 1, last[2] + 1}, met);
   }
-  std::vector<std::uint32_t> count(label_.size(), 0);
-  for (const Met& m : met) ++count[m.cell];
-  for (std::size_t c = 0; c < count.size(); ++c) {
-    if (count[c] == 0) continue;
-    label_[c] = ~static_cast<std::int32_t>(first_.size() - 1);
-    first_.push_back(first_.back() + count[c]);
+  // By one thread: others may be waiting for the lattice.
+  bucket_sort(
+      met, label_.size(), [](const Met& m) { return m.cell; },
+      [](const Met& m, const Met& n) { return m.item < n.item; }, Sorting::kOneThread);
+  for (std::size_t i = 0; i < met.size(); ++i) {
+    items_.push_back(met[i].item);
+    if (i + 1 < met.size() && met[i + 1].cell == met[i].cell) continue;
+    label_[met[i].cell] = ~static_cast<std::int32_t>(first_.size() - 1);
+    first_.push_back(static_cast<std::uint32_t>(items_.size()));
   }
-  items_.resize(met.size());
-  std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-  for (const Met& m : met) items_[next[static_cast<std::size_t>(~label_[m.cell])]++] = m.item;
 }
 
 void RegionGrid::flood(const Cell& start, int region) {

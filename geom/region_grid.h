@@ -39,11 +39,19 @@ class RegionGrid {
     return (static_cast<std::size_t>(c[2]) * cells_[1] + c[1]) * cells_[0] + c[0];
   }
   [[nodiscard]] Box3 box_of(const Cell& lo, const Cell& hi) const;
-  void find_cells(const FloatBox& box, Cell& lo, Cell& hi) const;
+  /// The first and the last of the cells around the box lo..hi; the outermost where that goes beyond them.
+  void find_cells(const Vec3& lo, const Vec3& hi, Cell& first, Cell& last) const {
+    for (int k = 0; k < 3; ++k) {
+      const double most = cells_[k] - 1;
+      first[k] = static_cast<int>(std::clamp((lo[k] - lo_[k]) / width_, 0.0, most));
+      last[k] = static_cast<int>(std::clamp((hi[k] - lo_[k]) / width_, 0.0, most));
+    }
+  }
   /// An item of the hierarchy in a cell that it meets.
   struct Met {
     std::uint32_t cell, item;
   };
+  /// Appends the cells from `lo` to below `hi` that the item meets.
   void find_met(const FacetBvh& bvh, std::uint32_t item, const Cell& lo, const Cell& hi,
                 std::vector<Met>& met) const;
   /// Fills `label_` and `items_`.
@@ -64,11 +72,7 @@ bool RegionGrid::visit_segment(const Vec3& p, const Vec3& q, const Visit& visit)
   if (label_.empty()) return false;
   // Beyond the box are no facets, but growth: what reaches out there meets the outermost cells, too.
   Cell a, b;
-  for (int k = 0; k < 3; ++k) {
-    const double last = cells_[k] - 1;
-    a[k] = static_cast<int>(std::clamp((std::min(p[k], q[k]) - lo_[k]) / width_, 0.0, last));
-    b[k] = static_cast<int>(std::clamp((std::max(p[k], q[k]) - lo_[k]) / width_, 0.0, last));
-  }
+  find_cells(p.cwiseMin(q), p.cwiseMax(q), a, b);
   if (b[0] - a[0] + b[1] - a[1] + b[2] - a[2] > kMostSteps) return false;
   Cell c;
   for (c[2] = a[2]; c[2] <= b[2]; ++c[2])
