@@ -26,15 +26,21 @@ namespace {
 /// Least sine of the angle between surfaces that cross: below, edges that are a little off look the same.
 constexpr double kLeastSine = 0.02;
 
-/// Seeds tried for a pair of faces: the deepest of so many places is deep enough to tell.
-constexpr int kSeeds = 64;
+/// Places tried for a pair of faces: the deepest of so many is deep enough to tell.
+constexpr std::size_t kTries = 64;
 
 constexpr std::array<std::string_view, 5> kClosedForms{"plane", "cylinder", "cone", "sphere", "torus"};
 
-struct Pair {
-  int seeds = 0;
-  FaceCrossing crossing;
+/// Where a side of one facet goes through another.
+struct Piercing {
+  std::uint32_t of = 0, through = 0;  ///< facets
+  Vec3 place = Vec3::Zero();
 };
+
+/// The deeper of two; the first of those as deep.
+void keep_deeper(FaceCrossing& deepest, const FaceCrossing& other) {
+  if (other.depth > deepest.depth) deepest = other;
+}
 
 class CrossingFinder {
  public:
@@ -49,8 +55,11 @@ class CrossingFinder {
       look_along(std::span(sides).subspan(first, next - first));
     }
     std::vector<FaceCrossing> found;
-    for (const auto& [faces, pair] : pairs_)
-      if (pair.crossing.depth > 0.0) found.push_back(pair.crossing);
+    for (const auto& [faces, piercings] : piercings_) {
+      const FaceCrossing crossing = faces[0] == faces[1] ? deepest_of_itself(faces[0], piercings)
+                                                         : deepest_of(faces[0], faces[1], piercings);
+      if (crossing.depth > 0.0) found.push_back(crossing);
+    }
     return found;
   }
 
@@ -89,12 +98,11 @@ class CrossingFinder {
         if (c == a || c == b) return;
       const std::optional<Vec3> at = piercing(p, q, facet_corners(facets_, u));
       if (!at) return;
-      for (const Side& side : sides)
-        if (facets_.face[side.triangle] != facets_.face[u])
-          for (const Vec3& seed : {*at, middle_of_common(side.triangle, u, *at)})
-            try_pair(facets_.face[side.triangle], facets_.face[u], seed);
-        else if (is_free_form(facets_.face[u]))
-          try_face(side.triangle, u, *at);
+      for (const Side& side : sides) {
+        const int f = facets_.face[side.triangle], g = facets_.face[u];
+        if (f != g || is_free_form(f))
+          piercings_[{std::min(f, g), std::max(f, g)}].push_back({side.triangle, u, *at});
+      }
     };
     const int face = facets_.face[sides.front().triangle];
     const bool within_face = std::all_of(
@@ -142,24 +150,38 @@ class CrossingFinder {
     }
   }
 
-  void try_pair(int f, int g, const Vec3& seed) {
-    if (f > g) std::swap(f, g);
-    keep_deepest(f, g, [&] { return crossing_near(f, g, seed); });
+  /// Of piercings evenly among all, two places of each: where one proves nothing, those beside it may not,
+  /// either.
+  [[nodiscard]] FaceCrossing deepest_of(int f, int g, const std::vector<Piercing>& piercings) const {
+    FaceCrossing deepest;
+    const std::size_t tried = std::min(kTries / 2, piercings.size());
+    for (std::size_t i = 0; i < tried; ++i) {
+      const Piercing& p = piercings[i * piercings.size() / tried];
+      for (const Vec3& seed : {p.place, middle_of_common(p.of, p.through, p.place)})
+        keep_deeper(deepest, crossing_near(f, g, seed));
+    }
+    return deepest;
   }
 
-  /// Two facets of one face.
-  void try_face(std::uint32_t t, std::uint32_t u, const Vec3& at) {
-    const int face = facets_.face[t];
-    keep_deepest(face, face, [&] { return crossing_of_itself(face, uv_at(t, at), uv_at(u, at), at); });
-  }
-
-  template <class Find>
-  void keep_deepest(int f, int g, const Find& find) {
-    Pair& pair = pairs_[{f, g}];
-    if (pair.seeds == kSeeds) return;
-    ++pair.seeds;
-    const FaceCrossing crossing = find();
-    if (crossing.depth > pair.crossing.depth) pair.crossing = crossing;
+  /// Of the piercings between which the face goes farthest away. Along the rims of a fold its sheets meet at
+  /// no angle, and facets that pierce one another there prove nothing, as many as there are.
+  [[nodiscard]] FaceCrossing deepest_of_itself(int face, const std::vector<Piercing>& piercings) const {
+    constexpr int kPieces = 4;  // to put them in order
+    std::vector<std::pair<double, std::size_t>> far;
+    for (std::size_t i = 0; i < piercings.size(); ++i) {
+      const Piercing& p = piercings[i];
+      far.emplace_back(-way_between(face, uv_at(p.of, p.place), uv_at(p.through, p.place), p.place, kPieces),
+                       i);
+    }
+    std::sort(far.begin(), far.end());
+    far.resize(std::min(kTries, far.size()));
+    FaceCrossing deepest;
+    for (const auto& [way, i] : far) {
+      const Piercing& p = piercings[i];
+      keep_deeper(deepest,
+                  crossing_of_itself(face, uv_at(p.of, p.place), uv_at(p.through, p.place), p.place));
+    }
+    return deepest;
   }
 
   /// (u,v) of a place on a facet.
@@ -226,17 +248,18 @@ class CrossingFinder {
     };
     const auto met = meeting(face, face, seed, follow(here), follow(there));
     if (!met) return {{face, face}, seed, 0.0};
+    constexpr int kPieces = 32;
     const double depth = std::min(clear_of_edges(face, met->place, met->sine),
-                                  way_between(face, met->here, met->there, met->place));
+                                  way_between(face, met->here, met->there, met->place, kPieces));
     return {{face, face}, met->place, depth * met->sine};
   }
 
   /// How far the face goes away from p between two places that are both there.
-  [[nodiscard]] double way_between(int face, const Vec2& here, const Vec2& there, const Vec3& p) const {
-    constexpr int kPieces = 32;
+  [[nodiscard]] double way_between(int face, const Vec2& here, const Vec2& there, const Vec3& p,
+                                   int pieces) const {
     double most = 0.0;
-    for (int i = 1; i < kPieces; ++i)
-      most = std::max(most, (model_.face_jet(face, here + (there - here) * i / kPieces, 0).p - p).norm());
+    for (int i = 1; i < pieces; ++i)
+      most = std::max(most, (model_.face_jet(face, here + (there - here) * i / pieces, 0).p - p).norm());
     return most;
   }
 
@@ -254,7 +277,7 @@ class CrossingFinder {
 
   const Model& model_;
   const Facets& facets_;
-  std::map<std::array<int, 2>, Pair> pairs_;
+  std::map<std::array<int, 2>, std::vector<Piercing>> piercings_;
 };
 
 }  // namespace
