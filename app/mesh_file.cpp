@@ -15,6 +15,7 @@
 
 #include "app/stage_clock.h"
 #include "base/error.h"
+#include "geom/face_crossings.h"
 #include "geom/tiny_features.h"
 
 namespace octet {
@@ -74,6 +75,13 @@ double cube_root_of_least_volume(const Model& model) {
 /// One that is easily typed.
 double short_number(double value) { return std::stod(fmt::format("{:.1e}", value)); }
 
+/// Faces that cross deeper than what is taken away do so after it.
+double deepest_crossing(const Model& model) {
+  double depth = 0.0;
+  for (const FaceCrossing& crossing : model.crossings()) depth = std::max(depth, crossing.depth);
+  return depth;
+}
+
 /// From the least on; none where that would be no more than has gone, or the caller has said what may go.
 std::vector<Smallest> smallest_to_try(const MeshedFile& first, const ReadOptions& reading) {
   std::vector<Smallest> tries;
@@ -83,10 +91,11 @@ std::vector<Smallest> smallest_to_try(const MeshedFile& first, const ReadOptions
   const double by_accuracy = std::min(accuracy, kMostByAccuracy * diagonal),
                by_size = std::min({kOfDiagonal * diagonal, kOfSize * size,
                                    kOfLeastSolid * cube_root_of_least_volume(first.model)});
-  if (by_accuracy > kRoundingShare * diagonal)
+  const double deepest = deepest_crossing(first.model);
+  if (by_accuracy > std::max(deepest, kRoundingShare * diagonal))
     tries.push_back(
         {by_accuracy, fmt::format("the file is accurate to {:.4g} mm by its own word", accuracy)});
-  if (by_size > std::max(by_accuracy, kRoundingShare * diagonal))
+  if (by_size > std::max({by_accuracy, deepest, kRoundingShare * diagonal}))
     tries.push_back({short_number(by_size), fmt::format("the size is {:.4g} mm", size)});
   return tries;
 }

@@ -4,10 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <TopoDS_Shape.hxx>
+
 #include <string>
 #include <vector>
 
 #include "tests/support/chamfered_block.h"
+#include "tests/support/crossed.h"
 
 namespace octet::test {
 namespace {
@@ -17,7 +20,7 @@ class MeshFile : public testing::Test {
   /// Meshes a block with a chamfer 0.0007 mm wide by a mesher who finds three faults in it, and `left` in the
   /// block without.
   MeshedFile run(const std::string& accuracy, std::size_t left, const ReadOptions& reading = {}) {
-    const ChamferedBlock block(accuracy);
+    const ChamferedBlock block(accuracy, "MM", beside_);
     const auto mesh = [&](const Model& model, LargeMesh large_mesh) {
       faces_.push_back(model.count(2));
       asked_.push_back(large_mesh);
@@ -37,6 +40,7 @@ class MeshFile : public testing::Test {
   std::vector<LargeMesh> asked_;
   double size_ = 0.01;  ///< that the mesher tells
   double large_ = 0.0;  ///< elements of a mesh without faults
+  TopoDS_Shape beside_;
 };
 
 TEST_F(MeshFile, IsMadeAgainWithoutWhatTheFileIsNotAccurateTo) {
@@ -88,6 +92,13 @@ TEST_F(MeshFile, IsMadeAgainWithoutWhatNoElementResolves) {
   EXPECT_NE(note.find("with it the mesh had 3 faults, and the size is 10 mm"), std::string::npos) << note;
   ASSERT_EQ(made.result.report.times.size(), 2u);
   EXPECT_EQ(made.result.report.times[0].name, "other tries");
+}
+
+TEST_F(MeshFile, IsMadeOnceWhereFacesCrossDeeperThanWhatWouldGo) {
+  size_ = 10.0;
+  beside_ = folded_bar(2.5);
+  EXPECT_EQ(run("0.01", 3).result.report.faults.size(), 3u);
+  EXPECT_EQ(faces_.size(), 1u);
 }
 
 TEST_F(MeshFile, TriesTheFilesWordBeforeTheSize) {

@@ -10,6 +10,7 @@
 #include <STEPControl_Writer.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Shape.hxx>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -24,8 +25,9 @@ namespace octet::test {
 /// file goes when the object does.
 class ChamferedBlock {
  public:
-  /// `accuracy`: as STEP writes numbers, in `unit`.
-  explicit ChamferedBlock(const std::string& accuracy, const char* unit = "MM")
+  /// `accuracy`: as STEP writes numbers, in `unit`; `beside`: another part of the file.
+  explicit ChamferedBlock(const std::string& accuracy, const char* unit = "MM",
+                          const TopoDS_Shape& beside = {})
       : path_(std::filesystem::path(testing::TempDir()) /
               ("octet_chamfered_block_" +
                std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + ".step")) {
@@ -36,6 +38,7 @@ class ChamferedBlock {
     STEPControl_Writer writer;
     Interface_Static::SetCVal("write.step.unit", unit);
     writer.Transfer(chamfer.Shape(), STEPControl_AsIs);
+    if (!beside.IsNull()) writer.Transfer(beside, STEPControl_AsIs);
     writer.Write(path_.c_str());
     Interface_Static::SetCVal("write.step.unit", "MM");
     state(accuracy);

@@ -10,8 +10,12 @@
 #include <BRepOffsetAPI_MakePipeShell.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRep_Builder.hxx>
+#include <GeomAPI_Interpolate.hxx>
+#include <Geom_BSplineCurve.hxx>
 #include <Geom_Circle.hxx>
+#include <Geom_Curve.hxx>
 #include <Geom_SurfaceOfRevolution.hxx>
+#include <TColgp_HArray1OfPnt.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
@@ -25,6 +29,7 @@
 #include <gp_Pln.hxx>
 #include <gp_Vec.hxx>
 
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -117,6 +122,31 @@ inline TopoDS_Shape looped_wire() {
   pipe.Build();
   pipe.MakeSolid();
   return pipe.Shape();
+}
+
+/// A round bar along a curve.
+inline TopoDS_Shape bar_along(const Handle(Geom_Curve) & curve, double radius) {
+  gp_Pnt start;
+  gp_Vec way;
+  curve->D1(curve->FirstParameter(), start, way);
+  const TopoDS_Wire spine = BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(curve));
+  BRepOffsetAPI_MakePipeShell pipe(spine);
+  pipe.Add(BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(gp_Circ(gp_Ax2(start, way), radius))));
+  pipe.Build();
+  pipe.MakeSolid();
+  return pipe.Shape();
+}
+
+/// A round bar along a spline whose bends have radii of 2 at the least: thicker ones fold there.
+inline TopoDS_Shape folded_bar(double radius) {
+  const Handle(TColgp_HArray1OfPnt) through = new TColgp_HArray1OfPnt(1, 6);
+  const std::array<gp_Pnt, 6> places{gp_Pnt(0.22, -8.13, 0.0),   gp_Pnt(10.28, 12.75, 12.0),
+                                     gp_Pnt(-8.48, -4.16, 24.0), gp_Pnt(-3.79, 0.49, 36.0),
+                                     gp_Pnt(-2.09, 8.57, 48.0),  gp_Pnt(-6.44, 7.46, 60.0)};
+  for (int i = 0; i < 6; ++i) through->SetValue(i + 1, places[i]);
+  GeomAPI_Interpolate spine(through, false, 1e-7);
+  spine.Perform();
+  return bar_along(spine.Curve(), radius);
 }
 
 }  // namespace octet::test

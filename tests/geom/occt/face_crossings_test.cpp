@@ -4,24 +4,13 @@
 
 #include <gtest/gtest.h>
 
-#include <BRepBuilderAPI_MakeEdge.hxx>
-#include <BRepBuilderAPI_MakeWire.hxx>
-#include <BRepOffsetAPI_MakePipeShell.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
-#include <GeomAPI_Interpolate.hxx>
-#include <Geom_BSplineCurve.hxx>
 #include <Geom_BezierCurve.hxx>
-#include <Geom_Curve.hxx>
 #include <TColgp_Array1OfPnt.hxx>
-#include <TColgp_HArray1OfPnt.hxx>
-#include <TopoDS_Wire.hxx>
 #include <gp_Ax2.hxx>
-#include <gp_Circ.hxx>
 #include <gp_Pnt.hxx>
-#include <gp_Vec.hxx>
 
-#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -64,19 +53,6 @@ TEST(FaceCrossings, FacesOfFewFacetsThatPierceEachOtherAtTheirEdges) {
   for (const FaceCrossing& crossing : crossings) EXPECT_NEAR(crossing.depth, 2.5, 1e-9);
 }
 
-/// A round bar along a curve.
-TopoDS_Shape bar_along(const Handle(Geom_Curve) & curve, double radius) {
-  gp_Pnt start;
-  gp_Vec way;
-  curve->D1(curve->FirstParameter(), start, way);
-  const TopoDS_Wire spine = BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(curve));
-  BRepOffsetAPI_MakePipeShell pipe(spine);
-  pipe.Add(BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(gp_Circ(gp_Ax2(start, way), radius))));
-  pipe.Build();
-  pipe.MakeSolid();
-  return pipe.Shape();
-}
-
 /// A round bar along a parabola that turns by a right angle, with a radius of 14.1 at least.
 TopoDS_Shape bent_bar(double radius) {
   TColgp_Array1OfPnt poles(1, 3);
@@ -102,16 +78,9 @@ TEST(FaceCrossings, APipeBentTighterThanItIsThickCrossesItself) {
 }
 
 TEST(FaceCrossings, AFoldOfWhichMostFacetsThatPierceOthersAreAtItsRims) {
-  const Handle(TColgp_HArray1OfPnt) through = new TColgp_HArray1OfPnt(1, 6);
-  const std::array<gp_Pnt, 6> places{gp_Pnt(0.22, -8.13, 0.0),   gp_Pnt(10.28, 12.75, 12.0),
-                                     gp_Pnt(-8.48, -4.16, 24.0), gp_Pnt(-3.79, 0.49, 36.0),
-                                     gp_Pnt(-2.09, 8.57, 48.0),  gp_Pnt(-6.44, 7.46, 60.0)};
-  for (int i = 0; i < 6; ++i) through->SetValue(i + 1, places[i]);
-  GeomAPI_Interpolate spine(through, false, 1e-7);
-  spine.Perform();
   for (const auto& [radius, depth] : {std::pair(2.5, 0.4), std::pair(5.0, 3.0)}) {
     ReadJob job;
-    job.shape = bar_along(spine.Curve(), radius);
+    job.shape = folded_bar(radius);
     const std::vector<FaceCrossing> crossings = Model(read_job(job)).crossings();
     ASSERT_EQ(crossings.size(), 1u) << radius;
     EXPECT_TRUE(crossings.front().is_of_itself()) << radius;
