@@ -4,6 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <vector>
+
 namespace octet {
 namespace {
 
@@ -46,6 +49,14 @@ Fault warning_of(const FaceCrossing& crossing, const Model& part) {
   const std::string what = crossing.is_of_itself() ? "itself" : part.describe(model_face(crossing.face[1]));
   return {model_face(crossing.face[0]), crossing.place,
           fmt::format("it crosses {} by {:.3g} mm or more", what, crossing.depth), "mend the part there"};
+}
+
+bool may_come_of_crossings(const Fault& fault, const Model& part) {
+  const std::vector<FaceCrossing>& all = part.crossings();
+  return std::any_of(all.begin(), all.end(), [&](const FaceCrossing& crossing) {
+    return !fault.entity.valid() || part.in_closure(fault.entity, model_face(crossing.face[0])) ||
+           part.in_closure(fault.entity, model_face(crossing.face[1]));
+  });
 }
 
 std::string refusal_of(const FaceCrossing& crossing, const Model& part) {

@@ -17,6 +17,10 @@ namespace octet {
 [[nodiscard]] Fault warning_of(const FaceCrossing& crossing, const Model& part);
 /// Why a part with such a crossing is not meshed.
 [[nodiscard]] std::string refusal_of(const FaceCrossing& crossing, const Model& part);
+/// Whether a fault of the mesh is on a face that crosses one, or on none of the part's entities where faces
+/// cross: smaller sizes are of no use to it then.
+[[nodiscard]] bool may_come_of_crossings(const Fault& fault, const Model& part);
+inline constexpr const char* kMendCrossings = "mend the part where its faces cross";
 [[nodiscard]] Fault fault_of(const FaceTouch& touch, const Model& part);
 /// Of a part that is far thinner than the size all over; `place`: about its middle.
 [[nodiscard]] Fault fault_of_coarseness(double size, const Vec3& place);

@@ -219,8 +219,7 @@ class Run {
     broken_ = broken_regions(*band_, model_);
     auto& faults = result_.report.faults;
     faults = describe_left_out(*band_, model_, broken_);
-    const std::vector<Fault> gaps = describe_gaps(model_, band_->closed.gaps);
-    faults.insert(faults.end(), gaps.begin(), gaps.end());
+    add_faults(describe_gaps(model_, band_->closed.gaps));
     if (gaps_left_ && !too_coarse_) tell_touches(faults);
     for (Fault& fault : faults) fault.place = frame_.to_part(fault.place);
     if (gaps_left_) faults.insert(faults.begin(), crossings_.begin(), crossings_.end());
@@ -253,6 +252,13 @@ class Run {
     close_holes(attempt, model_, octant_, limits, observer_);
     result_.report.attribute_points += attempt.closed.points;
     result_.report.rounds += attempt.closed.rounds;
+  }
+
+  /// Of the mesh. Where there are gaps, no other advice is any good to faces that cross.
+  void add_faults(std::vector<Fault> faults) {
+    for (Fault& fault : faults)
+      if (gaps_left_ && may_come_of_crossings(fault, part_)) fault.advice = kMendCrossings;
+    result_.report.faults.insert(result_.report.faults.end(), faults.begin(), faults.end());
   }
 
   /// Faces that touch are what most holes are about that no octants close: they are told first.
@@ -480,8 +486,7 @@ class Run {
     begin("acceptance", 0.9);
     MeshReport& report = result_.report;
     report.acceptance = accept_mesh(result_.mesh, part_);
-    const std::vector<Fault> broken = faults_of(report.acceptance.claims);
-    report.faults.insert(report.faults.end(), broken.begin(), broken.end());
+    add_faults(faults_of(report.acceptance.claims));
     report.shortfall = shortfall();
     report.status =
         report.acceptance.holds() && report.faults.empty() ? MeshStatus::kComplete : MeshStatus::kIncomplete;

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "app/mesh_part.h"
+#include "geom/face_crossings.h"
 #include "geom/occt/from_shape.h"
 #include "tests/support/crossed.h"
 #include "tests/support/with_void.h"
@@ -45,6 +46,19 @@ TEST(Crossed, AVoidThroughTheTop) {
       test::with_void(test::box_between({0, 0, 0}, {10, 10, 10}),
                       BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(5.0, 5.0, 4.0), gp::DZ()), 2.0, 9.0).Shape()),
       1.0);
+}
+
+TEST(Crossed, WhatElseIsAtFaultWhereAFaceCrossesItselfIsPutToThat) {
+  const Model model = model_from_shape(test::folded_bar(2.5));
+  ASSERT_FALSE(model.crossings().empty());
+  MeshOptions options;
+  options.size = 3.0;
+  const MeshReport report = mesh_part(model, options).report;
+  EXPECT_EQ(report.status, MeshStatus::kIncomplete);
+  ASSERT_GT(report.faults.size(), 1u);
+  EXPECT_NE(report.faults.front().cause.find("crosses itself"), std::string::npos) << report.faults[0].cause;
+  for (const Fault& fault : report.faults)
+    EXPECT_EQ(fault.advice.rfind("mend the part", 0), 0u) << fault.cause;
 }
 
 }  // namespace
