@@ -14,7 +14,7 @@ namespace octet {
 namespace {
 
 /// Tips are sharp up to these tapers, the lesser one and the other.
-constexpr double kSharp = 0.25, kWidest = 1.0;
+constexpr double kSharp = 0.35, kWidest = 1.0;
 /// So much narrower one may be than it is wide: flatter ones are no tips, but where faces run out.
 constexpr double kFlattest = 0.1;
 /// The sides in the plane at the distance 1 from the pole across `along`.
