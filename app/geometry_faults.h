@@ -18,7 +18,7 @@ namespace octet {
 /// Why a part with such a crossing is not meshed.
 [[nodiscard]] std::string refusal_of(const FaceCrossing& crossing, const Model& part);
 /// Whether a fault of the mesh is on a face that crosses one, or on none of the part's entities where faces
-/// cross: smaller sizes are of no use to it then.
+/// cross: these are to be mended first.
 [[nodiscard]] bool may_come_of_crossings(const Fault& fault, const Model& part);
 inline constexpr const char* kMendCrossings = "mend the part where its faces cross";
 [[nodiscard]] Fault fault_of(const FaceTouch& touch, const Model& part);

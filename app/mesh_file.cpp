@@ -13,9 +13,9 @@
 #include <utility>
 #include <vector>
 
+#include "app/geometry_faults.h"
 #include "app/stage_clock.h"
 #include "base/error.h"
-#include "geom/face_crossings.h"
 #include "geom/tiny_features.h"
 
 namespace octet {
@@ -75,10 +75,15 @@ double cube_root_of_least_volume(const Model& model) {
 /// One that is easily typed.
 double short_number(double value) { return std::stod(fmt::format("{:.1e}", value)); }
 
-/// Faces that cross deeper than what is taken away do so after it.
-double deepest_crossing(const Model& model) {
+/// How deep faces cross, where faults may come of that: what crosses deeper than what is taken away does so
+/// after it. 0: no fault does, and another cause may go.
+double deepest_crossing_at_fault(const MeshedFile& made) {
+  const std::vector<Fault>& faults = made.result.report.faults;
+  if (std::none_of(faults.begin(), faults.end(),
+                   [&](const Fault& fault) { return may_come_of_crossings(fault, made.model); }))
+    return 0.0;
   double depth = 0.0;
-  for (const FaceCrossing& crossing : model.crossings()) depth = std::max(depth, crossing.depth);
+  for (const FaceCrossing& crossing : made.model.crossings()) depth = std::max(depth, crossing.depth);
   return depth;
 }
 
@@ -91,7 +96,7 @@ std::vector<Smallest> smallest_to_try(const MeshedFile& first, const ReadOptions
   const double by_accuracy = std::min(accuracy, kMostByAccuracy * diagonal),
                by_size = std::min({kOfDiagonal * diagonal, kOfSize * size,
                                    kOfLeastSolid * cube_root_of_least_volume(first.model)});
-  const double deepest = deepest_crossing(first.model);
+  const double deepest = deepest_crossing_at_fault(first);
   if (by_accuracy > std::max(deepest, kRoundingShare * diagonal))
     tries.push_back(
         {by_accuracy, fmt::format("the file is accurate to {:.4g} mm by its own word", accuracy)});

@@ -4,7 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <TopLoc_Location.hxx>
 #include <TopoDS_Shape.hxx>
+#include <gp_Trsf.hxx>
+#include <gp_Vec.hxx>
 
 #include <string>
 #include <vector>
@@ -26,7 +29,7 @@ class MeshFile : public testing::Test {
       asked_.push_back(large_mesh);
       MeshResult result;
       result.report.size = size_;
-      result.report.faults.resize(model.count(2) == 7 ? 3 : left);
+      result.report.faults.resize(model.count(2) == 7 ? 3 : left, Fault{at_, {}, "", ""});
       if (large_ > 0.0 && large_mesh != LargeMesh::kNever) result.report.faults.clear();
       if (large_ > 0.0 && !result.report.faults.empty()) result.report.left_large = large_;
       if (result.report.faults.empty()) result.report.status = MeshStatus::kComplete;
@@ -38,10 +41,18 @@ class MeshFile : public testing::Test {
 
   std::vector<int> faces_;  ///< of the models that were meshed
   std::vector<LargeMesh> asked_;
-  double size_ = 0.01;  ///< that the mesher tells
-  double large_ = 0.0;  ///< elements of a mesh without faults
-  TopoDS_Shape beside_;
+  double size_ = 0.01;   ///< that the mesher tells
+  double large_ = 0.0;   ///< elements of a mesh without faults
+  TopoDS_Shape beside_;  ///< another part of the file
+  ModelRef at_;          ///< of the faults
 };
+
+/// Of three faces, clear of the block.
+TopoDS_Shape folded_bar_beside() {
+  gp_Trsf away;
+  away.SetTranslation(gp_Vec(-50.0, 0.0, 0.0));
+  return folded_bar(2.5).Moved(TopLoc_Location(away));
+}
 
 TEST_F(MeshFile, IsMadeAgainWithoutWhatTheFileIsNotAccurateTo) {
   const MeshedFile made = run("0.01", 0);
@@ -96,9 +107,17 @@ TEST_F(MeshFile, IsMadeAgainWithoutWhatNoElementResolves) {
 
 TEST_F(MeshFile, IsMadeOnceWhereFacesCrossDeeperThanWhatWouldGo) {
   size_ = 10.0;
-  beside_ = folded_bar(2.5);
+  beside_ = folded_bar_beside();
   EXPECT_EQ(run("0.01", 3).result.report.faults.size(), 3u);
   EXPECT_EQ(faces_.size(), 1u);
+}
+
+TEST_F(MeshFile, IsMadeAgainWhereFacesCrossButFaultsAreElsewhere) {
+  size_ = 10.0;
+  beside_ = folded_bar_beside();
+  at_ = model_face(1);  // of the block
+  run("1.E-07", 3);
+  EXPECT_EQ(faces_, (std::vector<int>{10, 9}));
 }
 
 TEST_F(MeshFile, TriesTheFilesWordBeforeTheSize) {
