@@ -2,6 +2,8 @@
 // How a part is read, as options of every command that reads one.
 #include "app/reading_options.h"
 
+#include <CLI/CLI.hpp>
+
 namespace octet {
 
 void add_reading_options(CLI::App& command, ReadOptions& reading) {

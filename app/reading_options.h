@@ -2,9 +2,11 @@
 // How a part is read, as options of every command that reads one.
 #pragma once
 
-#include <CLI/CLI.hpp>
-
 #include "geom/occt/read_part.h"
+
+namespace CLI {
+class App;
+}
 
 namespace octet {
 

@@ -2,11 +2,14 @@
 // The size options that several commands share, and the file they may stand in.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
 #include "app/size_words.h"
+
+namespace CLI {
+class App;
+}
 
 namespace octet {
 
