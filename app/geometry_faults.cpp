@@ -51,12 +51,13 @@ Fault warning_of(const FaceCrossing& crossing, const Model& part) {
           fmt::format("it crosses {} by {:.3g} mm or more", what, crossing.depth), "mend the part there"};
 }
 
-bool may_come_of_crossings(const Fault& fault, const Model& part) {
-  const std::vector<FaceCrossing>& all = part.crossings();
-  return std::any_of(all.begin(), all.end(), [&](const FaceCrossing& crossing) {
-    return !fault.entity.valid() || part.in_closure(fault.entity, model_face(crossing.face[0])) ||
-           part.in_closure(fault.entity, model_face(crossing.face[1]));
-  });
+double deepest_crossing_at(const Fault& fault, const Model& part) {
+  double depth = 0.0;
+  for (const FaceCrossing& crossing : part.crossings())
+    if (!fault.entity.valid() || part.in_closure(fault.entity, model_face(crossing.face[0])) ||
+        part.in_closure(fault.entity, model_face(crossing.face[1])))
+      depth = std::max(depth, crossing.depth);
+  return depth;
 }
 
 std::string refusal_of(const FaceCrossing& crossing, const Model& part) {

@@ -17,9 +17,9 @@ namespace octet {
 [[nodiscard]] Fault warning_of(const FaceCrossing& crossing, const Model& part);
 /// Why a part with such a crossing is not meshed.
 [[nodiscard]] std::string refusal_of(const FaceCrossing& crossing, const Model& part);
-/// Whether a fault of the mesh is on a face that crosses one, or on none of the part's entities where faces
-/// cross: these are to be mended first.
-[[nodiscard]] bool may_come_of_crossings(const Fault& fault, const Model& part);
+/// Depth of the deepest crossing (mm) that a fault of the mesh may come of: of the faces that it is on, or of
+/// any where it is on none of the part's entities. 0: of none.
+[[nodiscard]] double deepest_crossing_at(const Fault& fault, const Model& part);
 inline constexpr const char* kMendCrossings = "mend the part where its faces cross";
 [[nodiscard]] Fault fault_of(const FaceTouch& touch, const Model& part);
 /// Of a part that is far thinner than the size all over; `place`: about its middle.

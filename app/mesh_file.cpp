@@ -75,15 +75,11 @@ double cube_root_of_least_volume(const Model& model) {
 /// One that is easily typed.
 double short_number(double value) { return std::stod(fmt::format("{:.1e}", value)); }
 
-/// How deep faces cross, where faults may come of that: what crosses deeper than what is taken away does so
-/// after it. 0: no fault does, and another cause may go.
-double deepest_crossing_at_fault(const MeshedFile& made) {
-  const std::vector<Fault>& faults = made.result.report.faults;
-  if (std::none_of(faults.begin(), faults.end(),
-                   [&](const Fault& fault) { return may_come_of_crossings(fault, made.model); }))
-    return 0.0;
+/// What crosses deeper than what is taken away does so after it, and its faults stay.
+double deepest_crossing_at_faults(const MeshedFile& made) {
   double depth = 0.0;
-  for (const FaceCrossing& crossing : made.model.crossings()) depth = std::max(depth, crossing.depth);
+  for (const Fault& fault : made.result.report.faults)
+    depth = std::max(depth, deepest_crossing_at(fault, made.model));
   return depth;
 }
 
@@ -96,7 +92,7 @@ std::vector<Smallest> smallest_to_try(const MeshedFile& first, const ReadOptions
   const double by_accuracy = std::min(accuracy, kMostByAccuracy * diagonal),
                by_size = std::min({kOfDiagonal * diagonal, kOfSize * size,
                                    kOfLeastSolid * cube_root_of_least_volume(first.model)});
-  const double deepest = deepest_crossing_at_fault(first);
+  const double deepest = deepest_crossing_at_faults(first);
   if (by_accuracy > std::max(deepest, kRoundingShare * diagonal))
     tries.push_back(
         {by_accuracy, fmt::format("the file is accurate to {:.4g} mm by its own word", accuracy)});

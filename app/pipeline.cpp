@@ -257,7 +257,7 @@ class Run {
   /// Of the mesh. Where there are gaps, no other advice is any good to faces that cross.
   void add_faults(std::vector<Fault> faults) {
     for (Fault& fault : faults)
-      if (gaps_left_ && may_come_of_crossings(fault, part_)) fault.advice = kMendCrossings;
+      if (gaps_left_ && deepest_crossing_at(fault, part_) > 0.0) fault.advice = kMendCrossings;
     result_.report.faults.insert(result_.report.faults.end(), faults.begin(), faults.end());
   }
 

@@ -3,10 +3,18 @@
 #include <gtest/gtest.h>
 
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRep_Builder.hxx>
+#include <TopLoc_Location.hxx>
+#include <TopoDS_Compound.hxx>
+#include <gp_Trsf.hxx>
+#include <gp_Vec.hxx>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
+#include "app/geometry_faults.h"
 #include "app/mesh_part.h"
 #include "geom/face_crossings.h"
 #include "geom/occt/from_shape.h"
@@ -46,6 +54,30 @@ TEST(Crossed, AVoidThroughTheTop) {
       test::with_void(test::box_between({0, 0, 0}, {10, 10, 10}),
                       BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(5.0, 5.0, 4.0), gp::DZ()), 2.0, 9.0).Shape()),
       1.0);
+}
+
+TEST(Crossed, AFaultMayComeOfTheCrossingsOfItsOwnFaces) {
+  gp_Trsf away;
+  away.SetTranslation(gp_Vec(-50.0, 0.0, 0.0));
+  const BRep_Builder builder;
+  TopoDS_Compound all;
+  builder.MakeCompound(all);
+  builder.Add(all, test::folded_bar(2.5));
+  builder.Add(all, test::folded_bar(2.2).Moved(TopLoc_Location(away)));
+  builder.Add(all, test::box_between({50, 0, 0}, {60, 10, 10}));
+  const Model model = model_from_shape(all);
+  ASSERT_EQ(model.count(3), 3);
+  const auto depth_of = [&](ModelRef entity) { return deepest_crossing_at({entity, {}, "", ""}, model); };
+  std::array<double, 4> depth{};  // by region
+  for (int f = 1; f <= model.count(2); ++f) {
+    const auto& region = model.face(f).region;
+    double& deepest = depth[static_cast<std::size_t>(std::max(region[0], region[1]))];
+    deepest = std::max(deepest, depth_of(model_face(f)));
+  }
+  EXPECT_GT(depth[2], 0.0);
+  EXPECT_GT(depth[1], 1.1 * depth[2]);
+  EXPECT_EQ(depth[3], 0.0);
+  EXPECT_EQ(depth_of({}), depth[1]);
 }
 
 TEST(Crossed, WhatElseIsAtFaultWhereAFaceCrossesItselfIsPutToThat) {
