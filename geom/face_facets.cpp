@@ -192,12 +192,13 @@ class Refiner {
   [[nodiscard]] bool full() const { return plane_.points.size() - given_ >= limits_.max_points; }
 
   [[nodiscard]] bool side_too_coarse(std::uint32_t i, std::uint32_t j) const {
+    constexpr double kLeast = 0.25;  // of the deflection: shorter sides may be as they are
     const Vec3 &a = position_[i], &b = position_[j];
     const double length = (b - a).norm();
-    if (length <= limits_.deflection) return false;
+    if (length <= kLeast * limits_.deflection) return false;
     const bool turns = normal_[i].squaredNorm() > 0.5 && normal_[j].squaredNorm() > 0.5 &&
                        normal_[i].dot(normal_[j]) < cosine_;
-    if (turns && length > 4.0 * limits_.deflection) return true;
+    if (turns) return true;
     for (const double share : {0.5, 0.25, 0.75}) {
       const Vec3 p = surface_(uv((1.0 - share) * plane_.points[i] + share * plane_.points[j]), 0).p;
       if (closest_on_triangle(p, a, b, b).distance > limits_.deflection) return true;

@@ -28,9 +28,10 @@
 namespace octet {
 namespace {
 
-constexpr double kEdgeShare = 0.5;  // of the deflection, so that sides athwart are not too coarse either
-constexpr double kAngle = 0.3;      // radians between the tangents at the ends of a chord
-constexpr int kHalvings = 12;       // of a piece of an edge
+constexpr double kEdgeShare = 0.5;     // of the deflection, so that sides athwart are not too coarse either
+constexpr double kAngle = 0.3;         // radians between the tangents at the ends of a chord
+constexpr double kLeastTurning = 0.5;  // of the deflection on edges: shorter chords may turn
+constexpr int kHalvings = 12;          // of a piece of an edge
 constexpr std::size_t kMostPoints = 5000;    // of an edge
 constexpr std::size_t kPolePoints = 17;      // of an edge without length
 constexpr int kRounds = 10;                  // of dividing edges where loops cross
@@ -66,7 +67,7 @@ class Chain {
     const Vec3 p = curve_.point(a), q = curve_.point(b);
     for (const double share : {0.5, 0.25, 0.75})
       if (closest_on_triangle(curve_.point(a + share * (b - a)), p, q, q).distance > deflection_) return true;
-    if ((q - p).norm() <= 4.0 * deflection_) return false;
+    if ((q - p).norm() <= kLeastTurning * deflection_) return false;
     const Vec3 s = curve_.derivative(a), t = curve_.derivative(b);
     return s.dot(t) < std::cos(kAngle) * s.norm() * t.norm();
   }

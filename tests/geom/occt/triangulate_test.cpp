@@ -17,7 +17,10 @@
 #include <TopoDS_Wire.hxx>
 #include <gp_Ax2.hxx>
 #include <gp_Trsf.hxx>
+
+#include <algorithm>
 #include <numbers>
+#include <string_view>
 
 #include "geom/model_check.h"
 #include "geom/occt/from_shape.h"
@@ -57,6 +60,21 @@ TEST(Triangulate, ASolidAThousandthOfTheAssemblyKeepsItsHole) {
   EXPECT_EQ(model.region_at(Vec3(5.0, 2.4, 0.5)), 0);
   EXPECT_EQ(model.region_at(Vec3(5.0, 1.6, 0.5)), 1);
   EXPECT_NEAR(model.region(1).volume, 100.0 - 9.0 * kPi, 1e-4);
+}
+
+TEST(Triangulate, ARoundBarOfTheDeflectionsSizeIsRoundAndTakesFewFacets) {
+  // 1200 mm: a deflection of 0.6 mm, and a bore of 3 mm all its length.
+  constexpr double kRadius = 1.5;
+  const TopoDS_Shape bored =
+      BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(1200.0, 10.0, 10.0).Shape(),
+                      BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(0, 5, 5), gp::DX()), kRadius, 1200.0).Shape())
+          .Shape();
+  const Model model = model_from_shape(bored);
+  for (int f = 1; f <= model.count(2); ++f) {
+    if (std::string_view(model.surface(f).kind()) != "cylinder") continue;
+    EXPECT_LT(model.facets().deviation[static_cast<std::size_t>(f)], 0.02 * kRadius);
+    EXPECT_LT(std::count(model.facets().face.begin(), model.facets().face.end(), f), 200);
+  }
 }
 
 TEST(Triangulate, FacetsEndWhereTheFaceDoesThoughItsSidesAreBentInParameters) {
