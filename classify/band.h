@@ -102,8 +102,24 @@ class Band {
  private:
   std::size_t repair_singly(const TetMesh& mesh, std::span<const ModelRef> on);
   std::size_t repair_in_groups(const TetMesh& mesh, std::span<const ModelRef> on, const EdgeChains& chains);
-  std::size_t relabel_group(const TetMesh& mesh, std::span<const ModelRef> on, const EdgeChains& chains,
-                            const std::vector<TetId>& group, int first, int second);
+  /// Tetrahedra around a misfit, which are parted into two regions anew.
+  struct Group {
+    int first, second;
+    std::vector<TetId> tets;
+  };
+  /// No tetrahedron is in two.
+  struct Groups {
+    explicit Groups(std::size_t tets) : of_tet(tets, UINT32_MAX) {}
+    [[nodiscard]] bool has(TetId t) const { return of_tet[t.index()] != UINT32_MAX; }
+    std::vector<Group> all;
+    std::vector<std::uint32_t> of_tet;  ///< number of its group, or UINT32_MAX
+  };
+  void add_group(const TetMesh& mesh, std::span<const ModelRef> on, TetId a, TetId b, Group group,
+                 Groups& groups) const;
+  std::size_t relabel(const TetMesh& mesh, std::span<const ModelRef> on, const EdgeChains& chains,
+                      const Groups& groups);
+  [[nodiscard]] std::vector<std::uint8_t> labels_of(const TetMesh& mesh, std::span<const ModelRef> on,
+                                                    const EdgeChains& chains, const Group& group) const;
   /// What a tetrahedron of a group says of its region: at its circumcentre (kNowhere where that is not
   /// reliable), and beside those of its edges that are pieces of model edges (kNowhere beside others).
   struct Voice {
@@ -114,11 +130,8 @@ class Band {
   [[nodiscard]] Voice voice_of(const TetMesh& mesh, std::span<const ModelRef> on, const EdgeChains& chains,
                                TetId t) const;
   void hear(const TetMesh& mesh, std::span<const ModelRef> on, const EdgeChains& chains,
-            const std::vector<TetId>& group);
+            const std::vector<Group>& groups);
   [[nodiscard]] int region_beside(const TetMesh& mesh, TetId t, const EdgePiece& piece) const;
-  [[nodiscard]] std::vector<TetId> group_around(const TetMesh& mesh, std::span<const ModelRef> on, TetId a,
-                                                TetId b, int first, int second,
-                                                std::vector<std::uint8_t>& taken) const;
   [[nodiscard]] bool misfit(const TetMesh& mesh, std::span<const ModelRef> on, TetId t, std::int8_t f,
                             int behind, int front) const;
   [[nodiscard]] bool movable(const TetMesh& mesh, std::span<const ModelRef> on, TetId t) const;

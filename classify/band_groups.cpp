@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <utility>
 
 #include "base/blocks.h"
 #include "classify/band.h"
@@ -53,59 +54,88 @@ std::size_t Band::repair_beside(const TetMesh& mesh, std::span<const ModelRef> o
         }))
       found.push_back(t);
   });
-  std::vector<std::uint8_t> taken(mesh.tets.size(), 0);
-  std::size_t moved = 0;
+  Groups groups(mesh.tets.size());
   for (const TetId t : around) {
-    if (taken[t.index()]) continue;
+    if (groups.has(t)) continue;
     for (const auto& e : kTetEdge) {
       const std::uint32_t n = piece_of(mesh, on, chains, t, e);
       if (n == UINT32_MAX) continue;
       const int first = region_[t], second = region_beside(mesh, t, chains[n]);
       if (first == second) continue;
-      const std::vector<TetId> group = group_around(mesh, on, t, t, first, second, taken);
-      moved += relabel_group(mesh, on, chains, group, first, second);
+      add_group(mesh, on, t, t, {first, second, {}}, groups);
       break;
     }
   }
-  return moved;
+  return relabel(mesh, on, chains, groups);
 }
 
 std::size_t Band::repair_in_groups(const TetMesh& mesh, std::span<const ModelRef> on,
                                    const EdgeChains& chains) {
-  struct Pair {
-    TetId a, b;
-  };
-  std::vector<Pair> misfits;
-  for (const BoundaryFacet& facet : facets(mesh, on))
-    if (facet.face == 0) misfits.push_back({facet.tet, mesh.neighbours[facet.tet][facet.local]});
-  std::vector<std::uint8_t> taken(mesh.tets.size(), 0);
-  std::size_t moved = 0;
-  for (const auto& [a, b] : misfits) {
+  Groups groups(mesh.tets.size());
+  for (const BoundaryFacet& facet : facets(mesh, on)) {
+    if (facet.face != 0) continue;
+    const TetId a = facet.tet, b = mesh.neighbours[facet.tet][facet.local];
     const int first = region_[a], second = region_[b];
-    if (first == second || taken[a.index()] || taken[b.index()]) continue;
-    const std::vector<TetId> group = group_around(mesh, on, a, b, first, second, taken);
-    if (!group.empty()) moved += relabel_group(mesh, on, chains, group, first, second);
+    if (first != second && !groups.has(a) && !groups.has(b))
+      add_group(mesh, on, a, b, {first, second, {}}, groups);
   }
-  return moved;
+  return relabel(mesh, on, chains, groups);
 }
 
-std::vector<TetId> Band::group_around(const TetMesh& mesh, std::span<const ModelRef> on, TetId a, TetId b,
-                                      int first, int second, std::vector<std::uint8_t>& taken) const {
-  std::vector<TetId> group;
+/// The tetrahedra around a and b that are in no group yet.
+void Band::add_group(const TetMesh& mesh, std::span<const ModelRef> on, TetId a, TetId b, Group group,
+                     Groups& groups) const {
+  const auto number = static_cast<std::uint32_t>(groups.all.size());
+  std::vector<TetId>& tets = group.tets;
   const auto take = [&](TetId t) {
-    if (taken[t.index()] || (region_[t] != first && region_[t] != second) || !movable(mesh, on, t)) return;
-    taken[t.index()] = 1;
-    group.push_back(t);
+    if (groups.has(t) || (region_[t] != group.first && region_[t] != group.second) || !movable(mesh, on, t))
+      return;
+    groups.of_tet[t.index()] = number;
+    tets.push_back(t);
   };
   take(a);
   take(b);
   std::size_t from = 0;
   for (int ring = 0; ring < kRings; ++ring) {
-    const std::size_t to = group.size();
-    for (; from < to && group.size() < kLargestGroup; ++from)
-      for (const TetId n : mesh.neighbours[group[from]]) take(n);
+    const std::size_t to = tets.size();
+    for (; from < to && tets.size() < kLargestGroup; ++from)
+      for (const TetId n : mesh.neighbours[tets[from]]) take(n);
   }
-  return group;
+  if (!tets.empty()) groups.all.push_back(std::move(group));
+}
+
+/// Each group is labelled behind those before it that it touches, so that all come to what they would come to
+/// one after the other.
+std::size_t Band::relabel(const TetMesh& mesh, std::span<const ModelRef> on, const EdgeChains& chains,
+                          const Groups& groups) {
+  hear(mesh, on, chains, groups.all);
+  std::vector<std::uint32_t> turn(groups.all.size(), 0);
+  std::vector<std::vector<std::uint32_t>> turns;
+  for (std::uint32_t g = 0; g < groups.all.size(); ++g) {
+    for (const TetId t : groups.all[g].tets)
+      for (const TetId n : mesh.neighbours[t])
+        if (const std::uint32_t other = groups.of_tet[n.index()]; other < g)
+          turn[g] = std::max(turn[g], turn[other] + 1);
+    if (turn[g] == turns.size()) turns.emplace_back();
+    turns[turn[g]].push_back(g);
+  }
+  std::size_t moved = 0;
+  for (const std::vector<std::uint32_t>& at_once : turns) {
+    std::vector<std::vector<std::uint8_t>> chosen(at_once.size());
+    tbb::parallel_for(std::size_t{0}, at_once.size(), [&](std::size_t i) {
+      chosen[i] = labels_of(mesh, on, chains, groups.all[at_once[i]]);
+    });
+    for (std::size_t i = 0; i < at_once.size(); ++i) {
+      const Group& group = groups.all[at_once[i]];
+      for (std::size_t k = 0; k < group.tets.size(); ++k) {
+        const int region = chosen[i][k] == 0 ? group.first : group.second;
+        if (region == region_[group.tets[k]]) continue;
+        move(mesh, group.tets[k], region);
+        ++moved;
+      }
+    }
+  }
+  return moved;
 }
 
 /// Region of a place beside a piece of an edge, between the other two corners of a tetrahedron at it: nearer
@@ -133,10 +163,11 @@ Band::Voice Band::voice_of(const TetMesh& mesh, std::span<const ModelRef> on, co
 /// Regions of places take most of a repair's time, and most groups are met again in the next round: they are
 /// kept as long as their tetrahedron.
 void Band::hear(const TetMesh& mesh, std::span<const ModelRef> on, const EdgeChains& chains,
-                const std::vector<TetId>& group) {
+                const std::vector<Group>& groups) {
   std::vector<TetId> missing;
-  for (const TetId t : group)
-    if (voice_.count(t.index()) == 0) missing.push_back(t);
+  for (const Group& group : groups)
+    for (const TetId t : group.tets)
+      if (voice_.count(t.index()) == 0) missing.push_back(t);
   std::vector<Voice> voices(missing.size());
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, missing.size(), 16), [&](const auto& range) {
     for (std::size_t i = range.begin(); i != range.end(); ++i)
@@ -145,43 +176,37 @@ void Band::hear(const TetMesh& mesh, std::span<const ModelRef> on, const EdgeCha
   for (std::size_t i = 0; i < missing.size(); ++i) voice_.emplace(missing[i].index(), voices[i]);
 }
 
-std::size_t Band::relabel_group(const TetMesh& mesh, std::span<const ModelRef> on, const EdgeChains& chains,
-                                const std::vector<TetId>& group, int first, int second) {
+/// For each tetrahedron of the group whether it is to be in the first region (0) or in the second (1).
+std::vector<std::uint8_t> Band::labels_of(const TetMesh& mesh, std::span<const ModelRef> on,
+                                          const EdgeChains& chains, const Group& group) const {
+  const std::vector<TetId>& tets = group.tets;
   std::map<TetId, std::uint32_t> node;
-  for (const TetId t : group) node.emplace(t, static_cast<std::uint32_t>(node.size()));
+  for (const TetId t : tets) node.emplace(t, static_cast<std::uint32_t>(node.size()));
   const auto cost = [&](TetId t, std::int8_t f, int behind, int front) {
     return misfit(mesh, on, t, f, behind, front) ? kMisfitCost : 0;
   };
-  hear(mesh, on, chains, group);
-  TwoLabels labels(group.size());  // 0: first, 1: second
-  for (std::uint32_t i = 0; i < group.size(); ++i) {
-    const TetId t = group[i];
+  TwoLabels labels(tets.size());  // 0: first, 1: second
+  for (std::uint32_t i = 0; i < tets.size(); ++i) {
+    const TetId t = tets[i];
     const Voice& voice = voice_.at(t.index());
     const int natural = voice.circumcentre == kNowhere ? region_[t] : voice.circumcentre;
-    labels.prefer(i, natural == second, natural == first);
+    labels.prefer(i, natural == group.second, natural == group.first);
     for (std::size_t e = 0; e < voice.beside.size(); ++e) {
       const int beside = voice.beside[e];
       if (beside == kNowhere || piece_of(mesh, on, chains, t, kTetEdge[e]) == UINT32_MAX) continue;
-      labels.prefer(i, beside == second ? kBesideCost : 0, beside == first ? kBesideCost : 0);
+      labels.prefer(i, beside == group.second ? kBesideCost : 0, beside == group.first ? kBesideCost : 0);
     }
     for (std::int8_t f = 0; f < 4; ++f) {
       const TetId n = mesh.neighbours[t][f];
       const auto inside = node.find(n);
       if (inside == node.end())
-        labels.prefer(i, cost(t, f, first, region_[n]), cost(t, f, second, region_[n]));
+        labels.prefer(i, cost(t, f, group.first, region_[n]), cost(t, f, group.second, region_[n]));
       else if (i < inside->second)
-        labels.join(i, inside->second, cost(t, f, first, second), cost(t, f, second, first));
+        labels.join(i, inside->second, cost(t, f, group.first, group.second),
+                    cost(t, f, group.second, group.first));
     }
   }
-  const std::vector<std::uint8_t> chosen = labels.solve();
-  std::size_t moved = 0;
-  for (std::uint32_t i = 0; i < group.size(); ++i) {
-    const int region = chosen[i] == 0 ? first : second;
-    if (region == region_[group[i]]) continue;
-    move(mesh, group[i], region);
-    ++moved;
-  }
-  return moved;
+  return labels.solve();
 }
 
 }  // namespace octet
