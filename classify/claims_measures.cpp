@@ -108,6 +108,16 @@ double face_slack(const ClaimInput& in, int tag) {
   return slack + off;
 }
 
+/// How far the triangle's corners on vertices may lie off its face: only there, whereas a vertex' tolerance
+/// may be a thousand times that of the faces around it (solids fused across a gap).
+double corner_slack(const ClaimInput& in, std::uint32_t t) {
+  double slack = 0.0;
+  for (const Mesh::Index v : in.mesh.triangles[t])
+    if (in.mesh.point_on[v].dim == 0)
+      slack = std::max(slack, in.model.vertex(in.mesh.point_on[v].tag).tolerance);
+  return slack;
+}
+
 // On a surface of curvature k a triangle of circumradius R is tilted by up to k R, so its area is off by a
 // share of (k R)^2 / 2, and its plane lies k R^2 / 2 from the surface; both taken twice or so, since k is
 // known at a few places only.
@@ -127,6 +137,9 @@ FaceSums face_sums(const ClaimInput& in, int tag, const std::vector<EdgeSums>& e
     sums.area_error += area * capped_share(tilt * tilt + turn * turn);
     sums.volume_error +=
         foot.curvature > 0.0 ? area * std::min(height, 0.5 * in.longest_side(in.mesh.triangles[t])) : 0.0;
+    const double off = corner_slack(in, t);
+    sums.area_error += off * in.longest_side(in.mesh.triangles[t]);
+    sums.volume_error += off * area;
   }
   for (const FaceBoundary& b : face.boundary) {
     sums.area_error += edges[b.edge].area_error;

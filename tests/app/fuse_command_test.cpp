@@ -14,13 +14,13 @@
 namespace octet {
 namespace {
 
-/// Two boxes, a hundredth apart.
-void write_boxes(const std::string& path) {
+/// Two cubes, a hundredth apart.
+void write_boxes(const std::string& path, double side = 1.0) {
   const BRep_Builder builder;
   TopoDS_Compound both;
   builder.MakeCompound(both);
-  builder.Add(both, BRepPrimAPI_MakeBox(1.0, 1.0, 1.0).Shape());
-  builder.Add(both, BRepPrimAPI_MakeBox(gp_Pnt(1.01, 0, 0), gp_Pnt(2, 1, 1)).Shape());
+  builder.Add(both, BRepPrimAPI_MakeBox(side, side, side).Shape());
+  builder.Add(both, BRepPrimAPI_MakeBox(gp_Pnt(side + 0.01, 0, 0), gp_Pnt(2.0 * side, side, side)).Shape());
   ASSERT_TRUE(BRepTools::Write(both, path.c_str()));
 }
 
@@ -47,6 +47,17 @@ TEST(FuseCommand, SolidsThatMissEachOtherByNoMoreTouch) {
   ASSERT_EQ(joined.exit_code, kExitComplete) << joined.out << joined.err;
   EXPECT_TRUE(regions_meet(mesh));
   EXPECT_EQ(run_octet({"check", mesh, part, "--fuse-tolerance", "0.02"}).exit_code, kExitComplete);
+}
+
+TEST(FuseCommand, VerticesThatWereMovedToJoinSolidsExplainWhatTheVolumesAreOff) {
+  const TemporaryDirectory out;
+  const std::string part = out.file("boxes.brep"), mesh = out.file("a.msh");
+  write_boxes(part, 10.0);
+  for (const char* size : {"5", "2"}) {
+    const auto joined = run_octet({"mesh", part, "-o", mesh, "--fuse-tolerance", "0.011", "--size", size});
+    ASSERT_EQ(joined.exit_code, kExitComplete) << joined.out << joined.err;
+    EXPECT_TRUE(regions_meet(mesh));
+  }
 }
 
 TEST(FuseCommand, SolidsCannotBeJoinedAndKeptApart) {
