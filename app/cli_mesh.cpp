@@ -16,6 +16,7 @@
 
 #include "app/commands.h"
 #include "app/console.h"
+#include "app/entity_groups.h"
 #include "app/exit_code.h"
 #include "app/length_unit.h"
 #include "app/mesh_file.h"
@@ -87,10 +88,18 @@ ConsoleOptions console_options(const MeshCommand& command) {
   return options;
 }
 
+std::vector<GroupWords> group_words(const MeshCommand& command, const LengthUnit& unit) {
+  std::vector<GroupWords> words;
+  for (const std::string& text : command.groups) words.push_back(parse_group(text, unit.millimetres));
+  return words;
+}
+
 int mesh_to_file(const MeshCommand& command, const MeshOptions& options, const LengthUnit& unit,
                  const RunNames& names, const std::vector<MeshFormat>& formats) {
   Console console(console_options(command));
+  const std::vector<GroupWords> groups = group_words(command, unit);
   const auto mesh = [&](const Model& part, LargeMesh large_mesh) {
+    static_cast<void>(groups_of(part, groups));  // what is nowhere is told before the work
     MeshOptions own = options;
     own.large_mesh = large_mesh;
     return mesh_part(part, own, console);
@@ -103,7 +112,8 @@ int mesh_to_file(const MeshCommand& command, const MeshOptions& options, const L
   console.stage("writing", 1.0);
   WriteOptions write_options;
   write_options.scale = 1.0 / unit.millimetres;
-  const ModelOutline outline = outline_of(model);
+  ModelOutline outline = outline_of(model);
+  outline.groups = groups_of(model, groups);
   for (std::size_t i = 0; i < formats.size(); ++i)
     write_mesh(command.outputs[i], made.result.mesh, outline, formats[i], write_options);
   report.times.push_back(clock.lap("writing"));

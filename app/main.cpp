@@ -88,6 +88,13 @@ void add_meshing(CLI::App& sub, MeshCommand& mesh) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   add_size_options(sub, mesh.sizes);
   add_order(sub, mesh.order, "1");
+  sub.add_option(
+         "--group", mesh.groups,
+         "Entities of one dimension by a name of your own, may be repeated: fixed=Face1,Face7-9,bore*; "
+         "places as of --size-at. Written beside the entities' own sets and groups")
+      ->type_name("NAME=PLACES")
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   sub.add_option("--unit", mesh.unit, kUnitHelp)->type_name("UNIT");
   sub.add_option("--format", mesh.format, mesh_format_names() + " (default: by suffix)")->type_name("FORMAT");
   sub.add_option("--threads", mesh.threads, "Threads; any number gives the same bytes (default: all cores)")

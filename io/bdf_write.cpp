@@ -95,10 +95,10 @@ void write_bdf(OutputFile& file, const Mesh& mesh, const ModelOutline& outline, 
   constexpr std::size_t kMost = 99'999'999;
   if (std::max(node_count(mesh), mesh.tets.size()) > kMost)
     throw OutputError("the mesh is too large for a .bdf file; use MSH 4.1");
-  const auto names = set_names(complete_outline(outline, mesh), kLongestName);
+  const SetNames names = set_names(complete_outline(outline, mesh), kLongestName);
   const ElementGroups groups = group_elements(mesh);
   const auto comment = [&](ModelRef entity, const char* what) {
-    const std::string own = entity_name(entity), &name = names.at(entity);
+    const std::string own = entity_name(entity), &name = names.of.at(entity);
     return fmt::format("$ {}{}: {}\n", own, name == own ? "" : ", " + name, what);
   };
   file.write("$ mesh by Octet: bulk data, to be included behind BEGIN BULK\n");
@@ -111,7 +111,7 @@ void write_bdf(OutputFile& file, const Mesh& mesh, const ModelOutline& outline, 
     write_elements(file, mesh, entity.tag, group.second);
   }
   const FaceSides sides(mesh);
-  const std::array<int, 3> before = before_node_sets(groups);
+  const std::array<int, 4> before = before_node_sets(groups);
   for (int dim = 2; dim >= 0; --dim)
     for (const auto& [entity, items] : groups.items) {
       if (entity.dim != dim) continue;
@@ -120,6 +120,15 @@ void write_bdf(OutputFile& file, const Mesh& mesh, const ModelOutline& outline, 
                 nodes_of_elements(mesh, groups, dim, items));
       if (dim == 2) write_pressure(file, mesh, sides, entity.tag, items);
     }
+  int number = before[3];
+  for (const OutlineGroup& set : names.shared) {
+    const std::vector<std::uint32_t> items = items_of(groups, set);
+    if (items.empty() || set.dim == 3) continue;
+    file.write(fmt::format("$ {}, {} entities: {}\n", set.name, set.tags.size(),
+                           set.dim == 2 ? "their nodes, and a load set of unit pressure" : "their nodes"));
+    write_set(file, ++number, nodes_of_elements(mesh, groups, set.dim, items));
+    if (set.dim == 2) write_pressure(file, mesh, sides, number, items);
+  }
 }
 
 }  // namespace octet

@@ -99,7 +99,7 @@ class ExodusFile {
   const Mesh& mesh_;
   double scale_;
   ElementGroups groups_;
-  std::map<ModelRef, std::string> names_;
+  SetNames names_;
   std::vector<std::int32_t> place_;  ///< of each tetrahedron in the file, from 1
   NetcdfClassic netcdf_;
   Dimension name_{}, axes_{}, nodes_{}, elements_{};
@@ -156,7 +156,8 @@ void ExodusFile::blocks() {
   own.reserve(mesh_.tets.size());
   for (const auto& [entity, tets] : groups_.items) {
     if (entity.dim != 3) continue;
-    all.push_back({entity.tag, names_.at(entity), {tets.begin(), tets.begin() + 1}, {}});  // it is not empty
+    all.push_back(
+        {entity.tag, names_.of.at(entity), {tets.begin(), tets.begin() + 1}, {}});  // it is not empty
     for (const std::uint32_t tet : tets) {
       own.push_back(static_cast<std::int32_t>(tet + 1));
       place_[tet] = static_cast<std::int32_t>(own.size());
@@ -193,9 +194,8 @@ void ExodusFile::blocks() {
 void ExodusFile::sides() {
   const FaceSides sides(mesh_);
   std::vector<Members> all;
-  for (const auto& [entity, triangles] : groups_.items) {
-    if (entity.dim != 2) continue;
-    Members members{entity.tag, names_.at(entity), {}, {}};
+  const auto add = [&](int number, const std::string& name, const std::vector<std::uint32_t>& triangles) {
+    Members members{number, name, {}, {}};
     for (const std::uint32_t i : triangles) {
       const auto side = sides.of(mesh_.triangles[i]);
       if (!side) continue;  // a triangle of no tetrahedron has no side to tell
@@ -203,7 +203,16 @@ void ExodusFile::sides() {
       members.sides.push_back(kSideWithout[side->lacking]);
     }
     all.push_back(std::move(members));
+  };
+  int last = 0;
+  for (const auto& [entity, triangles] : groups_.items) {
+    if (entity.dim != 2) continue;
+    add(entity.tag, names_.of.at(entity), triangles);
+    last = entity.tag;
   }
+  for (const OutlineGroup& set : names_.shared)
+    if (const auto items = items_of(groups_, set); set.dim == 2 && !items.empty())
+      add(++last, set.name, items);
   declare(kSideSets, all);
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (all[i].items.empty()) continue;
@@ -214,17 +223,24 @@ void ExodusFile::sides() {
 }
 
 void ExodusFile::nodes() {
-  const std::array<int, 3> before = before_node_sets(groups_);
+  const std::array<int, 4> before = before_node_sets(groups_);
   std::vector<Members> all;
   for (int dim = 2; dim >= 0; --dim)
     for (const auto& [entity, items] : groups_.items) {
       if (entity.dim != dim) continue;
       const std::vector<std::uint64_t> nodes = nodes_of_elements(mesh_, groups_, dim, items);
       all.push_back({before[static_cast<std::size_t>(dim)] + entity.tag,
-                     names_.at(entity),
+                     names_.of.at(entity),
                      {nodes.begin(), nodes.end()},
                      {}});
     }
+  int number = before[3];
+  for (const OutlineGroup& set : names_.shared) {
+    const auto items = items_of(groups_, set);
+    if (items.empty() || set.dim == 3) continue;
+    const std::vector<std::uint64_t> nodes = nodes_of_elements(mesh_, groups_, set.dim, items);
+    all.push_back({++number, set.name, {nodes.begin(), nodes.end()}, {}});
+  }
   declare(kNodeSets, all);
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (all[i].items.empty()) continue;

@@ -74,21 +74,35 @@ void write_surface(OutputFile& file, const Mesh& mesh, const FaceSides& sides, c
   file.write(text);
 }
 
+/// What several entities have a name for together: sets of their sets, and the surface of all their sides.
+void write_shared(OutputFile& file, const Mesh& mesh, const ElementGroups& groups, const FaceSides& sides,
+                  const SetNames& names) {
+  for (const OutlineGroup& set : names.shared) {
+    const std::vector<std::uint32_t> items = items_of(groups, set);
+    if (items.empty()) continue;
+    std::string members;
+    for (const int tag : set.tags)
+      if (groups.items.contains({set.dim, tag})) members += names.of.at({set.dim, tag}) + "\n";
+    file.write(fmt::format("*{0}SET, {0}SET={1}\n{2}", set.dim == 3 ? "EL" : "N", set.name, members));
+    if (set.dim == 2) write_surface(file, mesh, sides, set.name, items);
+  }
+}
+
 }  // namespace
 
 void write_inp(OutputFile& file, const Mesh& mesh, const ModelOutline& outline, double scale) {
   constexpr std::size_t kMost = std::numeric_limits<int>::max();
   if (std::max(node_count(mesh), mesh.tets.size()) > kMost)
     throw OutputError("the mesh is too large for an .inp file; use MSH 4.1");
-  const auto names = set_names(complete_outline(outline, mesh), kLongestName);
+  const SetNames names = set_names(complete_outline(outline, mesh), kLongestName);
   const ElementGroups groups = group_elements(mesh);
   file.write("*HEADING\nmesh by Octet\n");
   write_nodes(file, mesh, scale);
   for (const auto& [ref, items] : groups.items)
-    if (ref.dim == 3) write_elements(file, mesh, names.at(ref), items);
+    if (ref.dim == 3) write_elements(file, mesh, names.of.at(ref), items);
   const FaceSides sides(mesh);
   for (const auto& [ref, items] : groups.items) {
-    const std::string& name = names.at(ref);
+    const std::string& name = names.of.at(ref);
     if (ref.dim == 0) {
       file.write(fmt::format("*NSET, NSET={}\n{}\n", name, groups.vertex_nodes[items.front()] + 1));
     } else if (ref.dim == 1) {
@@ -98,6 +112,7 @@ void write_inp(OutputFile& file, const Mesh& mesh, const ModelOutline& outline, 
       write_surface(file, mesh, sides, name, items);
     }
   }
+  write_shared(file, mesh, groups, sides, names);
 }
 
 }  // namespace octet

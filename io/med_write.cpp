@@ -113,7 +113,13 @@ class MedFile {
     write_families(path, of);
   }
 
-  void write_groups(const std::map<ModelRef, std::string>& names) {
+  void write_groups(const SetNames& names) {
+    std::map<ModelRef, std::vector<std::string>> groups_of;
+    for (const auto& family : families_) groups_of[family.first] = {names.of.at(family.first)};
+    for (const OutlineGroup& set : names.shared)
+      for (const int tag : set.tags)
+        if (const auto of = groups_of.find({set.dim, tag}); of != groups_of.end())
+          of->second.push_back(set.name);
     file_.group("/FAS");
     file_.group(kFamilies);
     const std::string none = std::string(kFamilies) + "/FAMILLE_ZERO";
@@ -124,12 +130,13 @@ class MedFile {
       file_.group(kind);
       for (const auto& [entity, family] : families_) {
         if ((entity.dim == 0) != nodes) continue;
-        const std::string path = fmt::format("{}/FAM_{}_{}", kind, family, names.at(entity));
+        const std::string path = fmt::format("{}/FAM_{}_{}", kind, family, names.of.at(entity));
         file_.group(path);
         file_.attribute(path, "NUM", family);
         file_.group(path + "/GRO");
-        file_.attribute(path + "/GRO", "NBR", 1);
-        file_.texts(path + "/GRO/NOM", {names.at(entity)}, kGroupName);
+        const std::vector<std::string>& own = groups_of.at(entity);
+        file_.attribute(path + "/GRO", "NBR", static_cast<std::int32_t>(own.size()));
+        file_.texts(path + "/GRO/NOM", own, kGroupName);
       }
     }
   }

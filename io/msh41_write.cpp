@@ -86,27 +86,41 @@ void write_header(OutputFile& file, Encoding encoding) {
   file.write("$EndMeshFormat\n");
 }
 
-void write_entity(Row& row, int dim, const OutlineEntity& entity, bool in_group, double scale) {
+/// Numbers of the physical groups that hold each entity: the first is its own, which is all that some readers
+/// take.
+using GroupsOf = std::map<ModelRef, std::vector<int>>;
+
+GroupsOf groups_of_entities(const std::map<ModelRef, std::string>& names,
+                            const std::vector<PhysicalSet>& sets) {
+  GroupsOf groups;
+  for (const auto& entity : names) groups[entity.first] = {entity.first.tag};
+  for (const PhysicalSet& set : sets)
+    for (const int tag : set.tags) groups[{set.dim, tag}].push_back(set.number);
+  return groups;
+}
+
+void write_entity(Row& row, int dim, const OutlineEntity& entity, const GroupsOf& groups, double scale) {
   row.integer(entity.tag);
   row.reals(entity.box.lo * scale);
   if (dim > 0) row.reals(entity.box.hi * scale);
-  row.size(in_group ? 1 : 0);
-  if (in_group) row.integer(entity.tag);
+  const auto own = groups.find({dim, entity.tag});
+  row.size(own == groups.end() ? 0 : own->second.size());
+  if (own != groups.end())
+    for (const int number : own->second) row.integer(number);
   if (dim > 0) {
     row.size(entity.bounded_by.size());
     for (const int tag : entity.bounded_by) row.integer(tag);
   }
 }
 
-void write_entities(Sink& sink, const ModelOutline& outline, const std::map<ModelRef, std::string>& names,
-                    double scale) {
+void write_entities(Sink& sink, const ModelOutline& outline, const GroupsOf& groups, double scale) {
   sink.begin("Entities");
   sink.line([&](Row& row) {
     for (const auto& entities : outline.entities) row.size(entities.size());
   });
   for (int dim = 0; dim < 4; ++dim)
     for (const auto& entity : outline.entities[dim])
-      sink.line([&](Row& row) { write_entity(row, dim, entity, names.contains({dim, entity.tag}), scale); });
+      sink.line([&](Row& row) { write_entity(row, dim, entity, groups, scale); });
   sink.end("Entities");
 }
 
@@ -161,9 +175,10 @@ void write_msh41(OutputFile& file, const Mesh& mesh, const ModelOutline& outline
   const ElementGroups groups = group_elements(mesh);
   const auto names = physical_names(whole, groups);
   write_header(file, encoding);
-  file.write(physical_names_section(names));
+  const auto sets = physical_sets(whole, groups, names);
+  file.write(physical_names_section(names, sets));
   Sink sink(file, encoding);
-  write_entities(sink, whole, names, scale);
+  write_entities(sink, whole, groups_of_entities(names, sets), scale);
   write_nodes(sink, mesh, scale);
   write_elements(sink, mesh, groups);
 }

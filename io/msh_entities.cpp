@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <cstring>
 #include <set>
 
 #include "io/set_names.h"
@@ -128,6 +129,16 @@ ElementGroups group_elements(const Mesh& mesh) {
   return groups;
 }
 
+std::vector<std::uint32_t> items_of(const ElementGroups& groups, const OutlineGroup& group) {
+  std::vector<std::uint32_t> items;
+  for (const int tag : group.tags) {
+    const auto found = groups.items.find({group.dim, tag});
+    if (found != groups.items.end()) items.insert(items.end(), found->second.begin(), found->second.end());
+  }
+  std::sort(items.begin(), items.end());
+  return items;
+}
+
 int element_nodes(const Mesh& mesh, const ElementGroups& groups, int dim, std::uint32_t i,
                   std::uint64_t nodes[kMostNodes], const std::size_t (&tet_mid)[6]) {
   int n = 0;
@@ -169,11 +180,11 @@ std::vector<std::uint64_t> nodes_of_elements(const Mesh& mesh, const ElementGrou
   return nodes;
 }
 
-std::array<int, 3> before_node_sets(const ElementGroups& groups) {
+std::array<int, 4> before_node_sets(const ElementGroups& groups) {
   int most[4] = {};  // tags by dimension
   for (const auto& group : groups.items)
     most[group.first.dim] = std::max(most[group.first.dim], group.first.tag);
-  return {most[2] + most[1], most[2], 0};
+  return {most[2] + most[1], most[2], 0, most[2] + most[1] + most[0]};
 }
 
 std::map<ModelRef, std::string> physical_names(const ModelOutline& outline, const ElementGroups& groups) {
@@ -183,6 +194,8 @@ std::map<ModelRef, std::string> physical_names(const ModelOutline& outline, cons
       if (!e.name.empty()) ++uses[shortened(printable(e.name), kLongestName)];
   std::map<ModelRef, std::string> names;
   std::set<std::string> taken;
+  for (const OutlineGroup& group : outline.groups)
+    taken.insert(shortened(printable(group.name), kLongestName));
   for (int dim = 0; dim < 4; ++dim)
     for (const auto& e : outline.entities[dim]) {
       if (e.tag <= 0 || (e.name.empty() && !groups.items.contains({dim, e.tag}))) continue;
@@ -201,10 +214,46 @@ std::map<ModelRef, std::string> physical_names(const ModelOutline& outline, cons
   return names;
 }
 
-std::string physical_names_section(const std::map<ModelRef, std::string>& names) {
+std::vector<PhysicalSet> physical_sets(const ModelOutline& outline, const ElementGroups& groups,
+                                       const std::map<ModelRef, std::string>& names) {
+  std::set<std::string> taken;
+  for (const auto& entity : names) taken.insert(entity.second);
+  std::array<int, 4> number{};
+  for (int dim = 0; dim < 4; ++dim)
+    for (const OutlineEntity& e : outline.entities[dim]) number[dim] = std::max(number[dim], e.tag);
+  std::vector<PhysicalSet> sets;
+  const auto add = [&](OutlineGroup group, const char* behind) {
+    if (items_of(groups, group).empty()) return;
+    group.name = shortened(printable(group.name), kLongestName);
+    while (!taken.insert(group.name).second)
+      group.name = shortened(group.name, kLongestName - std::strlen(behind)) + behind;
+    const int dim = group.dim;
+    sets.push_back({std::move(group), ++number[dim]});
+  };
+  for (const OutlineGroup& group : outline.groups) add(group, " group");
+  constexpr const char* kKinds[4] = {" vertices", " edges", " faces", " solids"};
+  for (int dim = 3; dim >= 0; --dim) {
+    std::map<std::string, OutlineGroup> of_name;
+    for (const OutlineEntity& e : outline.entities[dim]) {
+      if (e.name.empty()) continue;
+      const std::string name = shortened(printable(e.name), kLongestName);
+      OutlineGroup& group = of_name[name];
+      group.name = name;
+      group.dim = dim;
+      group.tags.push_back(e.tag);
+    }
+    for (const auto& [name, group] : of_name)
+      if (group.tags.size() > 1) add(group, kKinds[dim]);
+  }
+  return sets;
+}
+
+std::string physical_names_section(const std::map<ModelRef, std::string>& names,
+                                   const std::vector<PhysicalSet>& sets) {
   if (names.empty()) return {};
-  std::string text = fmt::format("$PhysicalNames\n{}\n", names.size());
+  std::string text = fmt::format("$PhysicalNames\n{}\n", names.size() + sets.size());
   for (const auto& [ref, name] : names) text += fmt::format("{} {} \"{}\"\n", ref.dim, ref.tag, name);
+  for (const PhysicalSet& set : sets) text += fmt::format("{} {} \"{}\"\n", set.dim, set.number, set.name);
   return text + "$EndPhysicalNames\n";
 }
 

@@ -30,6 +30,8 @@ struct ElementGroups {
   ItemsOn items;  ///< indices into vertex_nodes, edges, triangles, tets
 };
 [[nodiscard]] ElementGroups group_elements(const Mesh& mesh);
+/// Those of all the group's entities, ascending.
+[[nodiscard]] std::vector<std::uint32_t> items_of(const ElementGroups& groups, const OutlineGroup& group);
 
 /// MSH's numbers of elements by order and dimension: point, line, triangle, tetrahedron.
 inline constexpr int kMshType[2][4] = {{15, 1, 2, 4}, {15, 8, 9, 11}};
@@ -54,8 +56,9 @@ int element_nodes(const Mesh& mesh, const ElementGroups& groups, int dim, std::u
                                                            int dim, const std::vector<std::uint32_t>& items);
 
 /// What formats that number node sets of faces, edges and vertices alike add to the tags of vertices, edges
-/// and faces: a face keeps its tag, those of edges go on from the largest, those of vertices from there.
-[[nodiscard]] std::array<int, 3> before_node_sets(const ElementGroups& groups);
+/// and faces: a face keeps its tag, those of edges go on from the largest, those of vertices from there. The
+/// last number is before those of sets of several entities.
+[[nodiscard]] std::array<int, 4> before_node_sets(const ElementGroups& groups);
 
 /// Names of the physical groups by entity: every entity that has elements or a name is one, by its name or
 /// as `Face12`, for some readers skip what is in no group, and some take files in which all is or nothing.
@@ -64,8 +67,18 @@ int element_nodes(const Mesh& mesh, const ElementGroups& groups, int dim, std::u
 [[nodiscard]] std::map<ModelRef, std::string> physical_names(const ModelOutline& outline,
                                                              const ElementGroups& groups);
 
+/// What stands beside these as physical groups of several entities: the outline's groups, and the entities of
+/// a dimension that have one name; by names that no other has. Their numbers go on from the dimension's
+/// largest tag.
+struct PhysicalSet : OutlineGroup {
+  int number = 0;
+};
+[[nodiscard]] std::vector<PhysicalSet> physical_sets(const ModelOutline& outline, const ElementGroups& groups,
+                                                     const std::map<ModelRef, std::string>& names);
+
 /// The $PhysicalNames section, empty when there is none.
-[[nodiscard]] std::string physical_names_section(const std::map<ModelRef, std::string>& names);
+[[nodiscard]] std::string physical_names_section(const std::map<ModelRef, std::string>& names,
+                                                 const std::vector<PhysicalSet>& sets = {});
 
 /// The outline's entities and those that only the mesh names; boxes the CAD does not give are the mesh's.
 /// Bounding entities that do not exist are dropped.

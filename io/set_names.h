@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "base/model_ref.h"
 #include "mesh/model_outline.h"
@@ -14,9 +15,16 @@ namespace octet {
 /// Solid1, Face12, Edge3, Vertex4.
 [[nodiscard]] std::string entity_name(ModelRef entity);
 
-/// A name for each entity: its own of at most `longest` characters, in letters, digits, _ and - with a letter
-/// first, or else entity_name(). Names that differ in nothing else than upper and lower case
-/// get that behind them, for solvers tell neither apart.
-[[nodiscard]] std::map<ModelRef, std::string> set_names(const ModelOutline& outline, std::size_t longest);
+/// Names for solvers, in letters, digits, _ and - with a letter first, of at most `longest` characters. None
+/// is given twice, not even with other upper and lower case, for solvers tell these apart no better.
+struct SetNames {
+  /// Of each entity: its own where no other of its dimension has that, else with entity_name() behind it, or
+  /// entity_name() alone.
+  std::map<ModelRef, std::string> of;
+  /// The outline's groups, then the entities of a dimension that have one name, by that name: a load on
+  /// `bolt` is meant for all of them.
+  std::vector<OutlineGroup> shared;
+};
+[[nodiscard]] SetNames set_names(const ModelOutline& outline, std::size_t longest);
 
 }  // namespace octet

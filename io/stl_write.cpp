@@ -69,7 +69,7 @@ void write_binary(OutputFile& file, const Mesh& mesh, const Corners& corners) {
 
 void write_ascii(OutputFile& file, const Mesh& mesh, const ModelOutline& outline, const Corners& corners) {
   const ElementGroups groups = group_elements(mesh);
-  const auto names = set_names(complete_outline(outline, mesh), kLongestName);
+  const auto names = set_names(complete_outline(outline, mesh), kLongestName).of;
   for (const auto& group : groups.items) {
     if (group.first.dim != 2) continue;
     const std::vector<std::uint32_t>& items = group.second;

@@ -96,7 +96,7 @@ void write_marker(OutputFile& file, const std::string& name, const ZoneNodes& zo
 void write_su2(OutputFile& file, const Mesh& mesh, const ModelOutline& outline, double scale) {
   if (!mesh.mid.empty()) throw OutputError("a .su2 file has no elements of second order; use --order 1");
   const ElementGroups groups = group_elements(mesh);
-  const auto names = set_names(complete_outline(outline, mesh), kLongestName);
+  const auto names = set_names(complete_outline(outline, mesh), kLongestName).of;
   const FaceUses uses = boundary_face_uses(mesh);
   const auto zones =
       std::count_if(groups.items.begin(), groups.items.end(), [](const auto& g) { return g.first.dim == 3; });

@@ -81,23 +81,27 @@ void write_elements(OutputFile& file, const Mesh& mesh, const ElementGroups& gro
   end_dataset(file);
 }
 
-void write_groups(OutputFile& file, const ElementGroups& groups,
-                  const std::map<ModelRef, std::string>& names) {
+void write_group(OutputFile& file, const ElementGroups& groups, int number, const std::string& name, int dim,
+                 const std::vector<std::uint32_t>& items) {
+  file.write(fmt::format("{:10}{:10}{:10}{:10}{:10}{:10}{:10}{:10}\n{}\n", number, 0, 0, 0, 0, 0, 0,
+                         items.size(), name));
+  file.write_blocks(items.size(), kBlock, [&](std::size_t first, std::size_t last, std::string& bytes) {
+    for (std::size_t k = first; k < last; ++k)
+      fmt::format_to(std::back_inserter(bytes), "{:10}{:10}{:10}{:10}{}",
+                     dim == 0 ? kNodeMember : kElementMember,
+                     dim == 0 ? groups.vertex_nodes[items[k]] + 1 : label_of(groups, dim, items[k]), 0, 0,
+                     k % 2 == 1 || k + 1 == items.size() ? "\n" : "");
+  });
+}
+
+void write_groups(OutputFile& file, const ElementGroups& groups, const SetNames& names) {
   begin_dataset(file, 2467);
   int number = 0;
-  for (const auto& group : groups.items) {
-    const int dim = group.first.dim;
-    const std::vector<std::uint32_t>& items = group.second;
-    file.write(fmt::format("{:10}{:10}{:10}{:10}{:10}{:10}{:10}{:10}\n{}\n", ++number, 0, 0, 0, 0, 0, 0,
-                           items.size(), names.at(group.first)));
-    file.write_blocks(items.size(), kBlock, [&](std::size_t first, std::size_t last, std::string& bytes) {
-      for (std::size_t k = first; k < last; ++k)
-        fmt::format_to(std::back_inserter(bytes), "{:10}{:10}{:10}{:10}{}",
-                       dim == 0 ? kNodeMember : kElementMember,
-                       dim == 0 ? groups.vertex_nodes[items[k]] + 1 : label_of(groups, dim, items[k]), 0, 0,
-                       k % 2 == 1 || k + 1 == items.size() ? "\n" : "");
-    });
-  }
+  for (const auto& [entity, items] : groups.items)
+    write_group(file, groups, ++number, names.of.at(entity), entity.dim, items);
+  for (const OutlineGroup& set : names.shared)
+    if (const auto items = items_of(groups, set); !items.empty())
+      write_group(file, groups, ++number, set.name, set.dim, items);
   end_dataset(file);
 }
 

@@ -20,9 +20,17 @@ struct OutlineEntity {
   std::vector<int> bounded_by;
 };
 
+/// Entities of one dimension that the user names together.
+struct OutlineGroup {
+  std::string name;
+  int dim = 0;
+  std::vector<int> tags;  ///< ascending
+};
+
 /// Entities per dimension 0..3, ascending by tag.
 struct ModelOutline {
   std::array<std::vector<OutlineEntity>, 4> entities;
+  std::vector<OutlineGroup> groups;
 };
 
 }  // namespace octet

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <set>
 #include <string>
 
 #include "io/write.h"
@@ -178,6 +179,21 @@ TEST(BdfWrite, EachFaceEdgeAndVertexIsASetOfItsNodes) {
        {"Solid1, body: its elements", "Face2, bore__A_: its nodes, and a load set of unit pressure",
         "Face1: its nodes, and a load set of unit pressure", "Edge1: its nodes"})
     EXPECT_NE(std::find(data.comments.begin(), data.comments.end(), text), data.comments.end()) << text;
+}
+
+TEST(BdfWrite, AGroupHasTheNodesAndThePressureOfAllItsFaces) {
+  ModelOutline outline = test::plain_box_outline(Vec3(3.0, 2.0, 1.0), false);
+  outline.groups = {{"wet", 2, {1, 3}}, {"all", 3, {1}}};
+  const BulkData data = bulk_data(test::plain_box_mesh(3), outline);
+  constexpr int kNumber = 6 + 12 + 8 + 1;  // behind those of faces, edges and vertices
+  EXPECT_EQ(data.of("SET1").size(), static_cast<std::size_t>(kNumber)) << "a group of solids has none";
+  std::set<int> nodes;
+  for (const int face : {1, 3})
+    for (const int node : data.set(face)) nodes.insert(node);
+  EXPECT_EQ(data.set(kNumber), std::vector<int>(nodes.begin(), nodes.end()));
+  int pressed = 0;
+  for (const Entry& e : data.of("PLOAD4")) pressed += e.number(0) == kNumber ? 1 : 0;
+  EXPECT_EQ(pressed, 2 * 18);
 }
 
 TEST(BdfWrite, WideFieldsHaveSixteenCharactersAndAPoint) {

@@ -279,6 +279,18 @@ TEST(ExodusWrite, EveryEntityIsASetByItsNameAndANumberOfItsOwn) {
   }
 }
 
+TEST(ExodusWrite, AGroupHasTheSidesAndNodesOfAllItsFaces) {
+  ModelOutline outline = test::plain_box_outline(Vec3(3.0, 2.0, 1.0), false);
+  outline.groups = {{"wet", 2, {1, 3}}};
+  NetcdfFile file = exodus(test::plain_box_mesh(2), outline);
+  EXPECT_EQ(file.words("ss_names").back(), "wet");
+  EXPECT_EQ(file.ints("ss_prop1").back(), 7);
+  EXPECT_EQ(file.ints("elem_ss7").size(), file.ints("elem_ss1").size() + file.ints("elem_ss3").size());
+  EXPECT_EQ(file.words("ns_names").back(), "wet");
+  EXPECT_EQ(file.ints("ns_prop1").back(), 6 + 12 + 8 + 1);
+  EXPECT_FALSE(file.ints("node_ns27").empty());
+}
+
 TEST(ExodusWrite, AMeshWithoutElementsIsAFileAllTheSame) {
   NetcdfFile file = exodus({}, {});
   EXPECT_FALSE(file.dimensions.contains("num_nodes") || file.dimensions.contains("num_elem"));

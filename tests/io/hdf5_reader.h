@@ -58,12 +58,13 @@ class Hdf5Reader {
     H5Aclose(attribute);
     return text;
   }
-  /// The first bytes of an array of arrays of bytes, up to a zero.
+  /// All bytes of an array of arrays of bytes.
   std::string bytes(const std::string& path) const {
     const hid_t array = H5Dopen2(file_, path.c_str(), H5P_DEFAULT);
     EXPECT_GE(array, 0) << path;
-    const hid_t type = H5Dget_type(array);
-    std::string text(H5Tget_size(type), '?');
+    const hid_t type = H5Dget_type(array), space = H5Dget_space(array);
+    std::string text(H5Tget_size(type) * static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)), '?');
+    H5Sclose(space);
     EXPECT_GE(H5Dread(array, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()), 0);
     H5Tclose(type);
     H5Dclose(array);

@@ -87,6 +87,29 @@ std::map<int, std::string> med_groups(const Hdf5Reader& file) {
   return groups;
 }
 
+/// The names of the groups of the family that bears this one.
+std::vector<std::string> med_groups_of(const Hdf5Reader& file, const std::string& family) {
+  for (const std::string& name : file.members("/FAS/mesh/ELEME")) {
+    if (name.substr(name.size() - std::min(name.size(), family.size())) != family) continue;
+    const std::string path = "/FAS/mesh/ELEME/" + name + "/GRO", names = file.bytes(path + "/NOM");
+    EXPECT_EQ(names.size(), 80u * static_cast<std::size_t>(file.int_attribute(path, "NBR")));
+    std::vector<std::string> groups;
+    for (std::size_t k = 0; k < names.size(); k += 80) groups.emplace_back(names.substr(k, 80).c_str());
+    return groups;
+  }
+  return {};
+}
+
+TEST_F(Hdf5Write, MedHasAFamilyOfAllTheGroupsOfItsEntity) {
+  ModelOutline outline = test::plain_box_outline(Vec3(3.0, 2.0, 1.0), false);
+  outline.groups = {{"wet", 2, {1, 3}}, {"fixed", 2, {3}}};
+  const Hdf5Reader file(write("box.med", test::plain_box_mesh(1), outline, 1.0));
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(med_groups_of(file, "Face1"), (Names{"Face1", "wet"}));
+  EXPECT_EQ(med_groups_of(file, "Face3"), (Names{"Face3", "wet", "fixed"}));
+  EXPECT_EQ(med_groups_of(file, "Face4"), (Names{"Face4"}));
+}
+
 double volume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   return (b - a).cross(c - a).dot(d - a) / 6.0;
 }

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -18,10 +19,12 @@
 namespace octet {
 namespace {
 
-/// A deck as blocks: the keyword's line, and the numbers of each line below it. A side S3 is read as 3.
+/// A deck as blocks: the keyword's line, and the numbers of each line below it, or its one word where that is
+/// the name of a set. A side S3 is read as 3.
 struct Block {
   std::string head;
   std::vector<std::vector<double>> lines;
+  std::vector<std::string> sets;
 };
 
 std::vector<Block> deck_of(const Mesh& mesh, const ModelOutline& outline, double scale = 1.0) {
@@ -33,10 +36,14 @@ std::vector<Block> deck_of(const Mesh& mesh, const ModelOutline& outline, double
   std::vector<Block> deck;
   for (std::string line; std::getline(in, line);) {
     if (line.front() == '*') {
-      deck.push_back({line, {}});
+      deck.push_back({line, {}, {}});
       continue;
     }
     if (deck.back().head == "*HEADING") continue;
+    if (std::isalpha(static_cast<unsigned char>(line.front())) != 0) {
+      deck.back().sets.push_back(line);
+      continue;
+    }
     std::vector<double>& numbers = deck.back().lines.emplace_back();
     std::istringstream words(line);
     for (std::string word; std::getline(words, word, ',');) {
@@ -149,8 +156,30 @@ TEST(InpWrite, NamesAreMadeFitAndDifferInMoreThanCase) {
   outline.entities[2][2].name = "2nd";
   outline.entities[1][3].name = "Face4";
   const auto deck = deck_of(test::plain_box_mesh(1), outline);
-  for (const char* name : {"bore__A___2", "BORE__a___2_Face2", "N2nd", "Face4", "Face4_Edge4", "Vertex8"})
+  for (const char* name :
+       {"bore__A___2_Face1", "BORE__a___2_Face2", "N2nd", "Face4", "Face4_Edge4", "Vertex8"})
     EXPECT_NE(block(deck, std::string("*NSET, NSET=") + name), nullptr) << name;
+}
+
+TEST(InpWrite, ANameOfSeveralFacesIsTheSetOfThemAllAndSoIsAGroup) {
+  ModelOutline outline = test::plain_box_outline(Vec3(3.0, 2.0, 1.0), false);
+  outline.entities[2][0].name = outline.entities[2][4].name = "seat";
+  outline.entities[2][2].name = "fixed";
+  outline.groups = {{"fixed", 2, {1, 3}}, {"far away", 2, {77}}};
+  const Mesh mesh = test::plain_box_mesh(2);
+  const auto deck = deck_of(mesh, outline);
+  const auto lines = [&](const std::string& head) {
+    const Block* found = block(deck, head);
+    return found == nullptr ? 0u : found->lines.size();
+  };
+  using Names = std::vector<std::string>;
+  const Block *seat = block(deck, "*NSET, NSET=seat"), *fixed = block(deck, "*NSET, NSET=fixed");
+  ASSERT_TRUE(seat != nullptr && fixed != nullptr);
+  EXPECT_EQ(seat->sets, (Names{"seat_Face1", "seat_Face5"}));
+  EXPECT_EQ(fixed->sets, (Names{"seat_Face1", "fixed_Face3"}));
+  EXPECT_EQ(lines("*SURFACE, NAME=fixed, TYPE=ELEMENT"), 2u * 8u);
+  EXPECT_EQ(lines("*SURFACE, NAME=seat_Face5, TYPE=ELEMENT"), 8u);
+  EXPECT_EQ(block(deck, "*NSET, NSET=far_away"), nullptr) << "of what has no elements";
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -199,6 +200,19 @@ TEST(UnvWrite, EachEntityIsAGroupByItsName) {
   const Group& vertex = file.groups.at("Vertex1");
   ASSERT_TRUE(vertex.elements.empty() && vertex.nodes.size() == 1u);
   EXPECT_EQ(mesh.point_on[static_cast<std::size_t>(vertex.nodes[0]) - 1], model_vertex(1));
+}
+
+TEST(UnvWrite, ANameOfSeveralFacesIsTheGroupOfThemAll) {
+  const Mesh mesh = test::plain_box_mesh(2);
+  ModelOutline outline = test::plain_box_outline(Vec3(3.0, 2.0, 1.0), false);
+  outline.entities[2][0].name = outline.entities[2][4].name = "seat";
+  outline.groups = {{"corners", 0, {1, 8}}};
+  const UniversalFile file = file_of(mesh, outline);
+  std::vector<int> both = file.groups.at("seat_Face1").elements;
+  for (const int label : file.groups.at("seat_Face5").elements) both.push_back(label);
+  std::sort(both.begin(), both.end());
+  EXPECT_EQ(file.groups.at("seat").elements, both);
+  EXPECT_EQ(file.groups.at("corners").nodes.size(), 2u);
 }
 
 }  // namespace

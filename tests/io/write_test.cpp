@@ -246,9 +246,40 @@ TEST_F(Write, EveryEntityIsAGroupOfItsUniqueName) {
                                  "5 \"Face5\"", "6 \"Face6\""})
     wanted.push_back("2 " + name);
   wanted.push_back("3 1 \"body\"");
-  for (const MeshFormat format : {MeshFormat::kMsh41Ascii, MeshFormat::kMsh22Ascii}) {
-    write_mesh(directory_ / "a", test::plain_box_mesh(1), outline, format);
-    EXPECT_EQ(groups_in(bytes_of(directory_ / "a")), wanted);
+  write_mesh(directory_ / "a", test::plain_box_mesh(1), outline, MeshFormat::kMsh22Ascii);
+  EXPECT_EQ(groups_in(bytes_of(directory_ / "a")), wanted);
+  wanted.push_back("2 7 \"bore 'A'\"");  // of both
+  write_mesh(directory_ / "a", test::plain_box_mesh(1), outline, MeshFormat::kMsh41Ascii);
+  EXPECT_EQ(groups_in(bytes_of(directory_ / "a")), wanted);
+}
+
+TEST_F(Write, EntitiesTellTheirOwnGroupBeforeThoseOfSeveral) {
+  ModelOutline outline = test::plain_box_outline(kSize, false);
+  outline.entities[2][3].name = "fixed";
+  outline.groups = {{"fixed", 2, {1, 3}}, {"wet", 2, {3, 4}}, {"far away", 1, {77}}};
+  write_mesh(directory_ / "a", test::plain_box_mesh(1), outline, MeshFormat::kMsh41Ascii);
+  const std::string text = bytes_of(directory_ / "a");
+  const std::vector<std::string> groups = groups_in(text);
+  ASSERT_EQ(groups.size(), 27u + 2u);
+  EXPECT_EQ(groups[23], "2 4 \"fixed Face4\"");
+  EXPECT_EQ(groups[27], "2 7 \"fixed\"");
+  EXPECT_EQ(groups[28], "2 8 \"wet\"");
+  std::istringstream lines(text.substr(text.find("$Entities\n") + 10));
+  std::string line;
+  for (int i = 0; i < 1 + 8 + 12; ++i) std::getline(lines, line);
+  const std::vector<std::vector<int>> wanted{{1, 7}, {2}, {3, 7, 8}, {4, 8}, {5}, {6}};
+  for (std::size_t f = 0; f < wanted.size(); ++f) {
+    std::getline(lines, line);
+    std::istringstream words(line);
+    double box = 0.0;
+    std::size_t tag = 0, many = 0;
+    words >> tag;
+    for (int i = 0; i < 6; ++i) words >> box;
+    words >> many;
+    std::vector<int> numbers(many);
+    for (int& number : numbers) words >> number;
+    EXPECT_EQ(tag, f + 1);
+    EXPECT_EQ(numbers, wanted[f]) << line;
   }
 }
 

@@ -111,6 +111,19 @@ class Arrays(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "several dimensions"):
             mesh.elements("*1")
 
+    def test_groups_are_found_by_their_names(self):
+        box = octet.mesh(
+            model("box.step"), size=5, group={"ends": "Face1-2", "rim": "Edge:*", "body": "Region1"}
+        )
+        self.assertEqual(box.groups["ends"], [(2, 1), (2, 2)])
+        both = set(box.nodes("Face1")) | set(box.nodes("Face2"))
+        self.assertEqual(set(box.nodes("ends")), both)
+        self.assertEqual(len(box.elements("rim")), len(box.edges))
+        self.assertEqual(len(box.elements("body")), len(box.tets))
+        self.assertNotIn("ends", box.names.values())
+        with self.assertRaisesRegex(KeyError, "did you mean 'ends'"):
+            box.nodes("endz")
+
     def test_order_is_that_of_the_numbers_in_files(self):
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "a.inp")

@@ -26,6 +26,8 @@ class Mesh:
     tets          (m, 4) or (m, 10): positive; nodes in the order of VTK, Abaqus and meshio
     tet_in        (m,) int32, tags of their model regions
     names         names by (dimension, tag): what CAD gave, or Face12 and Solid3
+    groups        (dimension, tag) of the entities by the name that they have together: of `group` of
+                  octet.mesh, or what CAD gave to several
     order         of the elements, 1 or 2
     file          its file, MSH 4.1; one that octet made for itself goes when the mesh does
     report        of the run (docs/conventions.md of octet), a dict; None of a file that was read
@@ -52,8 +54,8 @@ class Mesh:
 
     def entities(self, which):
         """(dimension, tag) of all that `which` names: such a pair; a number as Face12, Solid3 or Region3,
-        which goes before a name of that sound; or a name or a pattern of names with * and ?. KeyError when no
-        name fits."""
+        which goes before a name of that sound; or a name or a pattern of names with * and ?, one of `groups`
+        before one of `names`. KeyError when no name fits."""
         if not isinstance(which, str):
             dim, tag = which
             return [(int(dim), int(tag))]
@@ -61,9 +63,11 @@ class Mesh:
         if number:
             dim = 3 if number[1].lower() == "solid" else KINDS.index(number[1].capitalize())
             return [(dim, int(number[2]))]
+        if which in self.groups:
+            return self.groups[which]
         found = sorted(entity for entity, name in self.names.items() if fnmatch.fnmatchcase(name, which))
         if not found:
-            near = difflib.get_close_matches(which, self.names.values(), 1)
+            near = difflib.get_close_matches(which, [*self.groups, *self.names.values()], 1)
             raise KeyError(f"nothing is called {which!r}" + (f"; did you mean {near[0]!r}?" if near else ""))
         return found
 

@@ -52,18 +52,21 @@ def _physical_names(cursor):
 
 
 def _entities(cursor, names):
-    """Names by dimension and tag."""
-    found = {}
+    """Names by dimension and tag: of the first group of each, which is its own. And the entities of those
+    that stand behind it, which hold several, by name."""
+    found, groups = {}, {}
     for dim, count in enumerate(cursor.numbers("Q", 4)):
         for _ in range(count):
             (tag,) = cursor.numbers("i", 1)
             cursor.take("d", 3 if dim == 0 else 6)
-            for group in cursor.numbers("i", cursor.numbers("Q", 1)[0]):
-                if (dim, group) in names:
+            for place, group in enumerate(cursor.numbers("i", cursor.numbers("Q", 1)[0])):
+                if (dim, group) in names and place == 0:
                     found[dim, tag] = names[dim, group]
+                elif (dim, group) in names:
+                    groups.setdefault(names[dim, group], []).append((dim, tag))
             if dim > 0:
                 cursor.take("i", cursor.numbers("Q", 1)[0])
-    return found
+    return found, groups
 
 
 def _nodes(cursor):
@@ -111,8 +114,8 @@ class _Places:
 
 
 def _sections(cursor):
-    """Names of entities, what _nodes gives, and what _elements gives."""
-    names, entities, nodes, elements = {}, {}, None, None
+    """What _entities gives, what _nodes gives, and what _elements gives."""
+    names, entities, nodes, elements = {}, ({}, {}), None, None
     for section in cursor.sections():
         if section == "MeshFormat":
             cursor.line()
@@ -140,10 +143,10 @@ def read(path):
     if not cursor.data.startswith(b"$MeshFormat\n4.1 1 8\n"):
         raise ValueError(f"{path} is no binary MSH 4.1 file")
     try:
-        names, (_, points, point_on), (numbers, nodes, on) = _sections(cursor)
+        (names, groups), (_, points, point_on), (numbers, nodes, on) = _sections(cursor)
     except (ValueError, IndexError) as error:
         raise ValueError(f"{path} cannot be read: {error}") from error
-    found = {"points": points, "point_on": point_on, "names": names}
+    found = {"points": points, "point_on": point_on, "names": names, "groups": groups}
     second = any(rows.shape[1] == 10 for rows in nodes[3])
     widths = (3, 6, 10) if second else (2, 3, 4)
     kinds = (("edges", "edge_on"), ("triangles", "triangle_on"), ("tets", "tet_in"))
