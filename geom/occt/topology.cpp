@@ -69,9 +69,13 @@ bool is_crease(const TopoDS_Edge& edge, const TopoDS_Face& face, const Surface& 
   const auto right = BRep_Tool::CurveOnSurface(TopoDS::Edge(edge.Oriented(TopAbs_REVERSED)), forward, b0, b1);
   if (left.IsNull() || right.IsNull()) return false;
   const auto to_ours = from_occt_uv(surface);
+  // A little inside of the face: on a periodic spline a curve that runs a rounding beyond the period is at
+  // its begin, where the normal is that of the other side.
+  constexpr double kInside = 1e-6;
   for (const double share : {0.11, 0.37, 0.5, 0.71, 0.93}) {
     const gp_Pnt2d l = left->Value(a0 + share * (a1 - a0)), r = right->Value(b0 + share * (b1 - b0));
-    const Vec3 n = surface.normal(to_ours({l.X(), l.Y()})), m = surface.normal(to_ours({r.X(), r.Y()}));
+    const Vec2 a(l.X(), l.Y()), b(r.X(), r.Y()), in = kInside * (b - a);
+    const Vec3 n = surface.normal(to_ours(a + in)), m = surface.normal(to_ours(b - in));
     if (n.norm() > 0.5 && m.norm() > 0.5 && n.dot(m) < kCreaseCosine) return true;
   }
   return false;

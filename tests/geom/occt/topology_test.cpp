@@ -2,11 +2,32 @@
 // Adjacency, edge uses, orientation and Euler characteristics of the sample parts.
 #include <gtest/gtest.h>
 
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepBuilderAPI_NurbsConvert.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom2d_Curve.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TColgp_Array1OfPnt.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <gp_Vec.hxx>
+#include <gp_Vec2d.hxx>
+
 #include <algorithm>
 #include <map>
 #include <set>
 
 #include "geom/model_check.h"
+#include "geom/occt/from_shape.h"
 #include "sample_parts.h"
 
 namespace octet::test {
@@ -143,6 +164,64 @@ TEST(Topology, TolerancesAreMeasured) {
   const Model model = sample("bracket");
   for (int tag = 1; tag <= model.count(1); ++tag) EXPECT_LT(model.edge(tag).tolerance, 1e-5);
   for (int tag = 1; tag <= model.count(0); ++tag) EXPECT_LT(model.vertex(tag).tolerance, 1e-5);
+}
+
+/// A drop whose cusp is the seam of a periodic spline, drawn out.
+TopoDS_Shape drawn_out_drop() {
+  TColgp_Array1OfPnt poles(1, 7);
+  const double at[7][2] = {{4, 0}, {2, 0.2}, {-2, 2}, {-4, 0}, {-2, -2}, {2, -0.2}, {4, 0}};
+  for (int i = 0; i < 7; ++i) poles(i + 1) = gp_Pnt(at[i][0], at[i][1], 0);
+  TColStd_Array1OfReal knots(1, 3);
+  TColStd_Array1OfInteger times(1, 3);
+  for (int i = 1; i <= 3; ++i) {
+    knots(i) = 0.1 * (i - 1);
+    times(i) = i == 2 ? 3 : 4;
+  }
+  const Handle(Geom_BSplineCurve) curve = new Geom_BSplineCurve(poles, knots, times, 3);
+  curve->SetPeriodic();
+  const TopoDS_Face drop =
+      BRepBuilderAPI_MakeFace(BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(curve).Edge()).Wire()).Face();
+  return BRepBuilderAPI_NurbsConvert(BRepPrimAPI_MakePrism(drop, gp_Vec(0, 0, 3)).Shape(), true).Shape();
+}
+
+/// Makes the spline periodic, and moves the side of the seam at the period's end beyond it by what a file's
+/// digits may.
+void run_beyond_the_period(const TopoDS_Shape& shape) {
+  const BRep_Builder builder;
+  for (TopExp_Explorer f(shape, TopAbs_FACE); f.More(); f.Next()) {
+    const TopoDS_Face face = TopoDS::Face(f.Current().Oriented(TopAbs_FORWARD));
+    for (TopExp_Explorer e(face, TopAbs_EDGE); e.More(); e.Next()) {
+      const TopoDS_Edge edge = TopoDS::Edge(e.Current().Oriented(TopAbs_FORWARD));
+      if (!BRep_Tool::IsClosed(edge, face)) continue;
+      const auto spline = Handle(Geom_BSplineSurface)::DownCast(BRep_Tool::Surface(face));
+      ASSERT_FALSE(spline.IsNull());
+      spline->SetUPeriodic();
+      double first = 0.0, last = 0.0;
+      Handle(Geom2d_Curve)
+          sides[2] = {BRep_Tool::CurveOnSurface(edge, face, first, last),
+                      BRep_Tool::CurveOnSurface(TopoDS::Edge(edge.Reversed()), face, first, last)};
+      for (Handle(Geom2d_Curve) & side : sides) {
+        side = Handle(Geom2d_Curve)::DownCast(side->Copy());
+        if (side->Value(first).X() > 0.1) side->Translate(gp_Vec2d(1e-15, 0));
+      }
+      builder.UpdateEdge(edge, sides[0], sides[1], face, BRep_Tool::Tolerance(edge));
+      return;
+    }
+  }
+}
+
+TEST(Topology, ACuspAtTheSeamOfAPeriodicSplineIsAnEdge) {
+  for (const bool beyond : {false, true}) {
+    const TopoDS_Shape shape = drawn_out_drop();
+    if (beyond) run_beyond_the_period(shape);
+    const Model model = model_from_shape(shape);
+    int alone = 0;
+    for (int e = 1; e <= model.count(1); ++e) {
+      EXPECT_EQ(model.edge(e).use, EdgeUse::kReal) << beyond;
+      alone += model.edge(e).faces.size() == 1 ? 1 : 0;
+    }
+    EXPECT_EQ(alone, 1) << beyond;
+  }
 }
 
 }  // namespace
