@@ -4,7 +4,10 @@
 
 #include <cstdio>
 
+#include "app/at_place.h"
 #include "app/commands.h"
+#include "app/entity_shapes.h"
+#include "app/entity_table.h"
 #include "app/exit_code.h"
 #include "app/info_json.h"
 #include "app/info_text.h"
@@ -17,33 +20,52 @@
 
 namespace octet {
 
-int run_info(const InfoCommand& command) {
-  const Model model = read_part(command.part, command.reading);
+namespace {
+
+void print_sizes(const InfoCommand& command, const Model& model, const LengthUnit& unit) {
   const std::string name = command.part.string();
-  if (command.show_sizes) {
-    MeshOptions options;
-    const LengthUnit unit = length_unit(command.unit.empty() ? "mm" : command.unit);
-    apply_sizes(command.sizes, unit, options);
-    const OwnFrame frame(model, options);
-    SizeMemo memo;
-    const MeshOptions sized = with_default_size(frame.model(), frame.options(), &memo);
-    const SizePlan plan = plan_sizes(frame.model(), sized, &memo);
-    if (!command.size_field.empty()) {
-      SizeBoxes boxes = size_boxes(frame.model(), plan);
-      frame.to_part(boxes.points);
-      write_size_field(command.size_field, boxes, 1.0 / unit.millimetres);
-    }
-    fmt::print("{}", command.json ? size_table_json(name, frame.model(), plan)
-                                  : size_table(name, frame.model(), plan));
-    return kExitComplete;
+  MeshOptions options;
+  apply_sizes(command.sizes, unit, options);
+  const OwnFrame frame(model, options);
+  SizeMemo memo;
+  const MeshOptions sized = with_default_size(frame.model(), frame.options(), &memo);
+  const SizePlan plan = plan_sizes(frame.model(), sized, &memo);
+  if (!command.size_field.empty()) {
+    SizeBoxes boxes = size_boxes(frame.model(), plan);
+    frame.to_part(boxes.points);
+    write_size_field(command.size_field, boxes, 1.0 / unit.millimetres);
   }
-  const PartInfo info = part_info(model);
+  fmt::print("{}", command.json ? size_table_json(name, frame.model(), plan)
+                                : size_table(name, frame.model(), plan));
+}
+
+void print_part(const InfoCommand& command, const Model& model, const std::vector<Vec3>& places) {
+  const std::string name = command.part.string();
+  const bool is_table = command.entities || !places.empty();
+  const EntityShapes shapes = command.json || is_table ? entity_shapes(model) : EntityShapes{};
+  std::vector<AtPlace> at;
+  for (const Vec3& place : places) at.push_back(at_place(model, place));
   if (command.json) {
-    fmt::print("{}", part_info_json(name, model, info));
-  } else {
-    fmt::print("{}\n{}", name, part_text(model, info));
-    if (command.entities) fmt::print("{}", entity_table(model));
+    fmt::print("{}", part_info_json(name, model, part_info(model), shapes, at));
+    return;
   }
+  fmt::print("{}\n", name);
+  if (places.empty() || command.entities) fmt::print("{}", part_text(model, part_info(model)));
+  if (command.entities) fmt::print("{}", entity_table(model, shapes));
+  for (const AtPlace& place : at) fmt::print("{}", place_lines(model, shapes, place));
+}
+
+}  // namespace
+
+int run_info(const InfoCommand& command) {
+  const LengthUnit unit = length_unit(command.unit.empty() ? "mm" : command.unit);
+  std::vector<Vec3> places;
+  for (const std::string& text : command.at) places.push_back(parse_place(text, unit.millimetres));
+  const Model model = read_part(command.part, command.reading);
+  if (command.show_sizes)
+    print_sizes(command, model, unit);
+  else
+    print_part(command, model, places);
   return kExitComplete;
 }
 

@@ -34,8 +34,9 @@ struct InfoCommand {
   std::filesystem::path part;
   ReadOptions reading;
   SizeWords sizes;
-  std::string unit;  ///< of the sizes; empty: millimetre
+  std::string unit;  ///< of the sizes and places; empty: millimetre
   bool json = false, entities = false;
+  std::vector<std::string> at;       ///< places "x,y,z": what is there, instead of the part as text
   bool show_sizes = false;           ///< the size of each entity and why, instead of the part
   std::filesystem::path size_field;  ///< VTU file to write the sizes over space into; may be empty
 };

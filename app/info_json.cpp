@@ -3,6 +3,7 @@
 #include "app/info_json.h"
 
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 namespace octet {
 namespace {
@@ -10,6 +11,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json vec_json(const Vec3& p) { return Json::array({p.x(), p.y(), p.z()}); }
+
+Json box_json(const Box3& box) { return Json::array({vec_json(box.lo), vec_json(box.hi)}); }
 
 const char* use_name(EdgeUse use) {
   switch (use) {
@@ -46,7 +49,20 @@ Json vertices_json(const Model& model) {
   return json;
 }
 
-Json edges_json(const Model& model) {
+void add_shape(const EdgeShape& shape, Json& json) {
+  json["ends"] = {vec_json(shape.ends[0]), vec_json(shape.ends[1])};
+  json["middle"] = vec_json(shape.middle);
+  json["box"] = box_json(shape.box);
+  if (!shape.arc) return;
+  json["centre"] = vec_json(shape.arc->centre);
+  json["axis"] = vec_json(shape.arc->axis);
+  if (shape.arc->radii[0] == shape.arc->radii[1])
+    json["radius"] = shape.arc->radii[0];
+  else
+    json["radii"] = shape.arc->radii;
+}
+
+Json edges_json(const Model& model, const EntityShapes& shapes) {
   Json json = Json::array();
   const auto numbers = sources_of(model, 1);
   for (int e = 1; e <= model.count(1); ++e) {
@@ -61,12 +77,31 @@ Json edges_json(const Model& model) {
                     {"tolerance", edge.tolerance},
                     {"vertices", edge.vertex},
                     {"faces", edge.faces}});
+    add_shape(shapes.edges[static_cast<std::size_t>(e)], json.back());
     add_sources(numbers, e, json.back());
   }
   return json;
 }
 
-Json faces_json(const Model& model) {
+void add_shape(const FaceShape& shape, Json& json) {
+  json["centre"] = vec_json(shape.centre);
+  json["point"] = vec_json(shape.point);
+  json["normal"] = vec_json(shape.normal);
+  json["box"] = box_json(shape.box);
+  if (!shape.round) return;
+  const RoundShape& round = *shape.round;
+  if (!round.axis.isZero()) json["axis"] = vec_json(round.axis);
+  json["origin"] = vec_json(round.origin);
+  if (round.radius > 0.0) json["radius"] = round.radius;
+  if (round.minor_radius > 0.0) json["minor_radius"] = round.minor_radius;
+  if (round.half_angle > 0.0) {
+    json["radii"] = shape.radii;
+    json["half_angle"] = round.half_angle * 180.0 / std::numbers::pi;
+  }
+  json["concave"] = shape.concave;
+}
+
+Json faces_json(const Model& model, const EntityShapes& shapes) {
   Json json = Json::array();
   const auto numbers = sources_of(model, 2);
   for (int f = 1; f <= model.count(2); ++f) {
@@ -79,12 +114,13 @@ Json faces_json(const Model& model) {
                     {"area", face.area},
                     {"tolerance", face.tolerance},
                     {"regions", face.region}});
+    add_shape(shapes.faces[static_cast<std::size_t>(f)], json.back());
     add_sources(numbers, f, json.back());
   }
   return json;
 }
 
-Json regions_json(const Model& model) {
+Json regions_json(const Model& model, const EntityShapes& shapes) {
   Json json = Json::array();
   const auto numbers = sources_of(model, 3);
   for (int r = 1; r <= model.count(3); ++r) {
@@ -97,6 +133,8 @@ Json regions_json(const Model& model) {
                     {"density", region.density},
                     {"volume", region.volume},
                     {"faces", region.faces}});
+    json.back()["centre"] = vec_json(shapes.regions[static_cast<std::size_t>(r)].centre);
+    json.back()["box"] = box_json(shapes.regions[static_cast<std::size_t>(r)].box);
     add_sources(numbers, r, json.back());
   }
   return json;
@@ -196,9 +234,22 @@ Json wall_json(const Wall& wall) {
           {"to", vec_json(wall.to)}};
 }
 
+Json place_json(const AtPlace& at) {
+  Json nearest = Json::array();
+  for (const NearEntity& item : at.nearest)
+    nearest.push_back({{"dim", item.entity.dim},
+                       {"tag", item.entity.tag},
+                       {"distance", item.distance},
+                       {"point", vec_json(item.point)}});
+  Json json{{"place", vec_json(at.place)}, {"regions", at.regions}, {"on", nullptr}, {"nearest", nearest}};
+  if (at.on.valid()) json["on"] = {{"dim", at.on.dim}, {"tag", at.on.tag}};
+  return json;
+}
+
 }  // namespace
 
-std::string part_info_json(const std::string& part, const Model& model, const PartInfo& info) {
+std::string part_info_json(const std::string& part, const Model& model, const PartInfo& info,
+                           const EntityShapes& shapes, const std::vector<AtPlace>& places) {
   Json json{{"octet", OCTET_VERSION}, {"part", part}, {"unit", model.unit()}};
   json["box"] = {{"lo", vec_json(info.box.lo)}, {"hi", vec_json(info.box.hi)}};
   json["size"] = vec_json(info.box.size());
@@ -232,10 +283,12 @@ std::string part_info_json(const std::string& part, const Model& model, const Pa
   json["changed_numbers"] = changes_json(info);
   json["left_out"] = left_out_json(model);
   json["faults"] = faults_json(model);
-  json["regions"] = regions_json(model);
-  json["faces"] = faces_json(model);
-  json["edges"] = edges_json(model);
+  json["regions"] = regions_json(model, shapes);
+  json["faces"] = faces_json(model, shapes);
+  json["edges"] = edges_json(model, shapes);
   json["vertices"] = vertices_json(model);
+  if (!places.empty()) json["at"] = Json::array();
+  for (const AtPlace& at : places) json["at"].push_back(place_json(at));
   // Names come from CAD files in any encoding: what is no UTF-8 is replaced, never thrown at.
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

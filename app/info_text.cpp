@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "app/marks_text.h"
 #include "app/words.h"
 
 namespace octet {
@@ -21,19 +22,6 @@ std::string listed(const char* heading, const std::vector<std::string>& items) {
   if (items.size() > kShown)
     text += fmt::format("    and {} more (--json lists all)\n", items.size() - kShown);
   return text;
-}
-
-std::string marks_text(const std::string& colour, const std::string& layer) {
-  std::string text;
-  if (!colour.empty()) text += " " + colour;
-  if (!layer.empty()) text += fmt::format(" layer \"{}\"", layer);
-  return text;
-}
-
-std::string material_text(const std::string& material, double density) {
-  if (material.empty()) return {};
-  if (density <= 0.0) return fmt::format(" material \"{}\"", material);
-  return fmt::format(" material \"{}\" ({:.6g} g/cm^3)", material, density);
 }
 
 std::string node_text(const PartNode& node, int depth) {
@@ -177,21 +165,6 @@ std::string fault_summary(const Model& model, const PartInfo& info) {
                       : text;
 }
 
-const char* use_text(EdgeUse use) {
-  return use == EdgeUse::kSeam ? ", seam" : use == EdgeUse::kDegenerate ? ", no length" : "";
-}
-
-/// The end of a table's line: name, marks, and the numbers as read where they are others.
-std::string line_end(int dim, int tag, const std::vector<std::vector<int>>& sources, const std::string& name,
-                     const std::string& marks) {
-  std::string text = (name.empty() ? std::string() : fmt::format(" \"{}\"", name)) + marks;
-  if (static_cast<std::size_t>(tag) < sources.size() && !sources[static_cast<std::size_t>(tag)].empty() &&
-      sources[static_cast<std::size_t>(tag)] != std::vector<int>{tag})
-    text += fmt::format(" ({} as read)", tag_list(kKind[static_cast<std::size_t>(dim)],
-                                                  sources[static_cast<std::size_t>(tag)]));
-  return text + "\n";
-}
-
 }  // namespace
 
 std::string part_text(const Model& model, const PartInfo& info) {
@@ -212,41 +185,6 @@ std::string part_text(const Model& model, const PartInfo& info) {
     text += fmt::format("  embedded faces   {}\n", tag_list("Face", info.embedded_faces));
   text += fault_summary(model, info);
   for (const std::string& note : model.notes()) text += fmt::format("  note     {}\n", note);
-  return text;
-}
-
-std::string entity_table(const Model& model) {
-  const auto sources_of = [&](int dim) { return sources(model.provenance(), dim, model.count(dim)); };
-  std::string text;
-  const auto solids = sources_of(3);
-  for (int r = 1; r <= model.count(3); ++r) {
-    const ModelRegion& region = model.region(r);
-    text += fmt::format("  Region{}: volume {:.6g} mm^3, {} faces", r, region.volume, region.faces.size());
-    text +=
-        line_end(3, r, solids, region.name,
-                 marks_text(region.colour, region.layer) + material_text(region.material, region.density));
-  }
-  const auto faces = sources_of(2);
-  for (int f = 1; f <= model.count(2); ++f) {
-    const ModelFace& face = model.face(f);
-    text += fmt::format("  Face{}: {}, area {:.6g} mm^2, tolerance {:.2g}, regions {} | {}", f,
-                        model.surface(f).kind(), face.area, face.tolerance, face.region[0], face.region[1]);
-    text += line_end(2, f, faces, face.name, marks_text(face.colour, face.layer));
-  }
-  const auto edges = sources_of(1);
-  for (int e = 1; e <= model.count(1); ++e) {
-    const ModelEdge& edge = model.edge(e);
-    text += fmt::format("  Edge{}: {}{}, length {:.6g} mm, tolerance {:.2g}, {}", e,
-                        edge.use == EdgeUse::kDegenerate ? "point" : model.curve(e).kind(),
-                        use_text(edge.use), edge.length, edge.tolerance, tag_list("Face", edge.faces));
-    text += line_end(1, e, edges, edge.name, marks_text(edge.colour, edge.layer));
-  }
-  const auto vertices = sources_of(0);
-  for (int v = 1; v <= model.count(0); ++v) {
-    const ModelVertex& vertex = model.vertex(v);
-    text += fmt::format("  Vertex{}: {}, tolerance {:.2g}", v, place_text(vertex.point), vertex.tolerance);
-    text += line_end(0, v, vertices, vertex.name, "");
-  }
   return text;
 }
 

@@ -150,19 +150,32 @@ void add_info(CLI::App& app, InfoCommand& info) {
   CLI::App& sub = *app.add_subcommand("info", "Tell what a part is: unit, size, entities, names, faults");
   sub.add_option("part", info.part, "STEP, IGES or BREP file")->required()->type_name("FILE");
   sub.add_flag("--json", info.json, "Print JSON, with every entity");
-  sub.add_flag("--entities", info.entities, "Print a line for every entity, too");
+  sub.add_flag("--entities", info.entities,
+               "Print a line for every entity, too: measure, centre, normal, radius, axis, ends");
+  CLI::Option* at =
+      sub.add_option("--at", info.at,
+                     "Tell what is at a place, may be repeated: the nearest face, edge and vertex and the "
+                     "region around, instead of the part (with --json or --entities: besides)")
+          ->type_name("X,Y,Z")
+          ->allow_extra_args(false);
   CLI::Option* sizes =
       sub.add_flag("--sizes", info.show_sizes,
-                   "Print the size that each entity gets from the options of sizes, and why, instead");
+                   "Print the size that each entity gets from the options of sizes, and why, instead")
+          ->excludes(at);
   const std::size_t others = sub.get_options().size();
   sub.add_option("--write-field", info.size_field, "Write the sizes over space (.vtu)")->type_name("FILE");
   add_size_options(sub, info.sizes);
-  sub.add_option("--unit", info.unit, std::string("Unit of the sizes: ") + kUnitHelp)->type_name("UNIT");
   // Not `needs`, which the help would repeat for each.
   const std::vector<CLI::Option*> all = sub.get_options();
   const std::vector<CLI::Option*> of_sizes(all.begin() + static_cast<std::ptrdiff_t>(others), all.end());
   for (CLI::Option* option : of_sizes) option->group("With --sizes");
-  sub.parse_complete_callback([sizes, of_sizes] {
+  CLI::Option* unit =
+      sub.add_option("--unit", info.unit, std::string("Unit of the sizes or places: ") + kUnitHelp)
+          ->type_name("UNIT")
+          ->group("With --sizes or --at");
+  sub.parse_complete_callback([sizes, at, unit, of_sizes] {
+    if (unit->count() > 0 && sizes->count() == 0 && at->count() == 0)
+      throw CLI::RequiresError(unit->get_name(), "--sizes or --at");
     for (const CLI::Option* option : of_sizes) {
       if (option->count() > 0 && sizes->count() == 0) throw CLI::RequiresError(option->get_name(), "--sizes");
     }

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "base/error.h"
+#include "geom/number_list.h"
 #include "geom/text_pattern.h"
 
 namespace octet {
@@ -41,16 +42,10 @@ std::optional<Number> number(std::string_view text) {
 
 /// Comma separated finite numbers, exactly `count` of them.
 std::vector<double> numbers(std::string_view whole, std::string_view list, std::size_t count) {
-  std::vector<double> values;
-  for (std::size_t at = 0; at <= list.size();) {
-    const std::size_t comma = std::min(list.find(',', at), list.size());
-    const auto value = number<double>(list.substr(at, comma - at));
-    if (!value || !std::isfinite(*value)) refuse(whole, "it needs a list of numbers there");
-    values.push_back(*value);
-    at = comma + 1;
-  }
-  if (values.size() != count) refuse(whole, std::to_string(count) + " numbers are needed there");
-  return values;
+  auto values = number_list(list);
+  if (!values) refuse(whole, "it needs a list of numbers there");
+  if (values->size() != count) refuse(whole, std::to_string(count) + " numbers are needed there");
+  return *std::move(values);
 }
 
 void read_value(std::string_view text, double unit, SizeAttribute& attribute) {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The entities that a size attribute names.
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <string>
 
 #include "base/error.h"
 #include "geom/closest_word.h"
+#include "geom/entity_foot.h"
 #include "geom/size_attributes.h"
 #include "geom/text_pattern.h"
 
@@ -28,30 +28,11 @@ const std::string& name_of(const Model& model, ModelRef entity) {
   }
 }
 
-double distance(const Model& model, ModelRef entity, const Vec3& p) {
-  switch (entity.dim) {
-    case 0:
-      return (model.vertex(entity.tag).point - p).norm();
-    case 1:
-      return model.edge(entity.tag).use == EdgeUse::kDegenerate ? std::numeric_limits<double>::infinity()
-                                                                : model.edge_closest(entity.tag, p).distance;
-    case 2:
-      return model.face_closest(entity.tag, p).distance;
-    default: {
-      if (model.region_at(p) == entity.tag) return 0.0;
-      double least = std::numeric_limits<double>::infinity();
-      for (const int f : model.region(entity.tag).faces)
-        least = std::min(least, model.face_closest(f, p).distance);
-      return least;
-    }
-  }
-}
-
 ModelRef nearest(const Model& model, int dim, const Vec3& p) {
   ModelRef best{dim, 0};
   double least = std::numeric_limits<double>::infinity();
   for (int tag = 1; tag <= model.count(dim); ++tag) {
-    const double d = distance(model, {dim, tag}, p);
+    const double d = entity_foot(model, {dim, tag}, p).distance;
     if (d >= least) continue;
     least = d;
     best.tag = tag;

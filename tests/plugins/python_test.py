@@ -72,6 +72,11 @@ class Arrays(unittest.TestCase):
                 np.linalg.svd(flat - flat.mean(axis=0))[1][-1], 1e-9 * mesh.report["diagonal"] * len(flat)
             )
 
+    def test_info_tells_what_is_at_places(self):
+        at = octet.info(model("box.step"), at=["0,9,14", "5,5,5"])["at"]
+        self.assertEqual([place["on"] for place in at], [{"dim": 2, "tag": 1}, None])
+        self.assertEqual([place["regions"] for place in at], [[1], [1]])
+
     def test_points_know_the_least_entity_that_holds_them(self):
         mesh = octet.mesh(model("cylinder.step"))
         self.assertEqual(set(mesh.point_on[:, 0]), {0, 1, 2, 3})

@@ -194,7 +194,8 @@ def _with_unit(mesh, options):
 
 
 def info(part, **options):
-    """What a part is (unit, size, entities, names, faults): the JSON of `octet info`, a dict."""
+    """What a part is (unit, size, entities with centres, normals, radii and ends, names, faults): the JSON of
+    `octet info`, a dict. With at="0,10,5", or a list of such, key "at" tells what is at these places."""
     folder = _Folder()
     return ask(find_program(), ["info", _part_file(part, folder.name), *_words(options)])
 
