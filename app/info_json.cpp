@@ -165,6 +165,16 @@ Json interfaces_json(const PartInfo& info) {
   return json;
 }
 
+Json touching_json(const PartInfo& info) {
+  Json json = Json::array();
+  for (const FaceContact& contact : info.touching)
+    json.push_back({{"regions", contact.region},
+                    {"faces", contact.face},
+                    {"area", contact.area},
+                    {"place", vec_json(contact.place)}});
+  return json;
+}
+
 Json crossings_json(const PartInfo& info) {
   Json json = Json::array();
   for (const FaceCrossing& crossing : info.crossings)
@@ -279,6 +289,7 @@ std::string part_info_json(const std::string& part, const Model& model, const Pa
   json["notes"] = model.notes();
   json["tree"] = tree_json(model);
   json["interfaces"] = interfaces_json(info);
+  json["touching"] = touching_json(info);
   json["overlaps"] = overlaps_json(model, info);
   json["changed_numbers"] = changes_json(info);
   json["left_out"] = left_out_json(model);

@@ -84,6 +84,17 @@ std::string interface_lines(const Model& model, const PartInfo& info) {
   return listed("contacts", lines);
 }
 
+std::string touching_lines(const Model& model, const PartInfo& info) {
+  if (info.touching.empty()) return {};
+  std::vector<std::string> lines;
+  for (const FaceContact& contact : info.touching)
+    lines.push_back(fmt::format("Face{} of {} and Face{} of {}: {:.6g} mm^2 at {}", contact.face[0],
+                                model.describe(model_region(contact.region[0])), contact.face[1],
+                                model.describe(model_region(contact.region[1])), contact.area,
+                                place_text(contact.place)));
+  return listed("touching", lines);
+}
+
 std::string solid_text(const Model& model, int number) {
   const std::string& name = model.provenance().as_read[3][static_cast<std::size_t>(number)].name;
   return name.empty() ? fmt::format("Solid {}", number) : fmt::format("Solid {} \"{}\"", number, name);
@@ -177,7 +188,8 @@ std::string part_text(const Model& model, const PartInfo& info) {
   text += fmt::format("  counts   {} regions, {} faces, {} edges ({} seams, {} degenerate), {} vertices\n",
                       model.count(3), model.count(2), model.count(1), info.seams, info.degenerate,
                       model.count(0));
-  text += tree_lines(model) + interface_lines(model, info) + overlap_lines(model, info);
+  text += tree_lines(model) + interface_lines(model, info) + touching_lines(model, info) +
+          overlap_lines(model, info);
   text += smallest_lines(model, info);
   text += fmt::format("  default mesh size {:.6g} mm\n", info.default_size);
   text += name_lines(model) + change_lines(info) + left_out_lines(model);

@@ -76,6 +76,7 @@ PartInfo part_info(const Model& model) {
   for (int r = 1; r <= model.count(3); ++r) info.volume += model.region(r).volume;
   info.contact = self_contact(model);
   info.interfaces = interfaces_of(model);
+  info.touching = face_contacts(model);
   info.overlaps = overlaps(model.provenance(), model.count(3));
   info.changes = changed_numbers(model.provenance());
   std::erase_if(info.changes, [](const NumberChange& change) { return change.tags.empty(); });

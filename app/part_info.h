@@ -8,6 +8,7 @@
 
 #include "app/changed_numbers.h"
 #include "app/self_contact.h"
+#include "geom/face_contacts.h"
 #include "geom/face_crossings.h"
 #include "geom/model.h"
 #include "geom/thickness.h"
@@ -39,6 +40,7 @@ struct PartInfo {
   std::vector<int> dangling_faces;      ///< faces with none on either
   std::vector<FaceCrossing> crossings;  ///< of all pairs of faces, and of faces with themselves
   std::vector<Interface> interfaces;    ///< ascending by regions
+  std::vector<FaceContact> touching;    ///< faces of solids that are kept apart
   std::vector<Overlap> overlaps;
   std::vector<NumberChange> changes;  ///< but for what is not in the model (that is LeftOut)
   std::optional<Wall> thinnest;
