@@ -23,7 +23,7 @@ std::vector<NearEntity> nearest(const Model& model, int dim, const Vec3& place) 
   double least = std::numeric_limits<double>::infinity();
   for (int tag = 1; tag <= model.count(dim); ++tag) {
     const EntityFoot foot = entity_foot(model, {dim, tag}, place);
-    all.push_back({{dim, tag}, foot.distance, foot.point});
+    all.push_back({{dim, tag}, foot.distance <= model.tolerance() ? 0.0 : foot.distance, foot.point});
     least = std::min(least, foot.distance);
   }
   const double near = kSamePlace * model.diagonal();

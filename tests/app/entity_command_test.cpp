@@ -143,6 +143,9 @@ TEST(EntityCommand, FindsTheHoleAtAPlaceOnItOrOnItsAxis) {
       std::to_string(20.0 + 6.0 * std::cos(2.0)) + "," + std::to_string(15.0 + 6.0 * std::sin(2.0)) + ",0.5";
   const Json info = info_of("plate_with_hole.step", {"--at", on});
   EXPECT_EQ(info["at"][0]["on"], (Json{{"dim", 2}, {"tag", 7}}));
+  const Json seam = info_of("plate_with_hole.step", {"--at", "26,15,0.5"});
+  EXPECT_EQ(seam["at"][0]["on"], (Json{{"dim", 2}, {"tag", 7}}));
+  EXPECT_EQ(seam["at"][0]["nearest"][0]["distance"], 0.0);
   const Json axis = info_of("plate_with_hole.step", {"--at", "20,15,0.5"});
   EXPECT_TRUE(axis["at"][0]["on"].is_null());
   EXPECT_TRUE(axis["at"][0]["regions"].empty());
