@@ -214,21 +214,28 @@ bool read_format(Source& in) {
   return version == "4.1";
 }
 
+/// How many words or numbers of text follow.
+std::int64_t text_count(Source& in, const char* what) {
+  const std::int64_t n = in.cursor.integer();
+  if (n < 0) in.cursor.fail("a count is negative");
+  return static_cast<std::int64_t>(in.cursor.checked_count(static_cast<std::uint64_t>(n), 2, what));
+}
+
 /// [MSH 4.1 and 2.2, $NodeData, $ElementData, $ElementNodeData]: what stands before the values is text in
 /// binary files, too.
 RawView read_view(Source& in, RawView::On on) {
   RawView view;
   view.on = on;
-  for (std::int64_t n = in.cursor.integer(), i = 0; i < n; ++i) {
+  for (std::int64_t n = text_count(in, "texts of a view"), i = 0; i < n; ++i) {
     in.cursor.skip_blanks();
     const std::string_view text = in.cursor.line();
     if (i > 0) continue;
     const std::size_t first = text.find('"'), last = text.rfind('"');
     view.name = last > first ? text.substr(first + 1, last - first - 1) : text;
   }
-  for (std::int64_t n = in.cursor.integer(); n > 0; --n) (void)in.cursor.real();
+  for (std::int64_t n = text_count(in, "real numbers of a view"); n > 0; --n) (void)in.cursor.real();
   std::int64_t word[3] = {0, 1, 0};  // step, components, values
-  for (std::int64_t n = in.cursor.integer(), i = 0; i < n; ++i) {
+  for (std::int64_t n = text_count(in, "integers of a view"), i = 0; i < n; ++i) {
     const std::int64_t value = in.cursor.integer();
     if (i < 3) word[i] = value;
   }

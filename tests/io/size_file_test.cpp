@@ -240,5 +240,15 @@ TEST_F(SizeFile, AViewWithoutAMeshCountsAnothersElements) {
   EXPECT_NE(refusal(alone), "");
 }
 
+TEST_F(SizeFile, CountsOfAViewThatTheFileCannotHoldAreRefused) {
+  const std::string head = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$NodeData\n";
+  for (const char* counts : {"9000000000000000000\n", "1\n\"h\"\n9000000000000000000\n",
+                             "1\n\"h\"\n1\n0\n9000000000000000000\n"}) {
+    const std::string refused = refusal(head + counts);
+    EXPECT_NE(refused.find("more than the file can hold"), std::string::npos) << refused;
+  }
+  EXPECT_NE(refusal(head + "-1\n").find("negative"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace octet
