@@ -9,6 +9,7 @@
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -28,20 +29,45 @@ std::string file_text(const std::filesystem::path& path) {
   return text.str();
 }
 
-/// The numbers of a line, between commas, semicolons or blanks; none where it does not begin with one.
-std::vector<double> numbers_of(std::string_view line) {
+/// Of a CSV file, for errors.
+struct Line {
+  std::string_view text;
+  int number;
+
+  [[noreturn]] void refuse(const char* why) const {
+    throw InputError(fmt::format("line {}, \"{}\", is {}", number, text.substr(0, 60), why));
+  }
+};
+
+/// All of the word as a number; from_chars takes no plus.
+std::optional<double> number_in(std::string_view word) {
+  if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
+  double value = 0.0;
+  const auto [rest, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error != std::errc() || rest != word.data() + word.size()) return std::nullopt;
+  return value;
+}
+
+/// Whether somebody meant a number, right or not.
+bool begins_as_number(std::string_view word) {
+  const std::size_t first = word.find_first_not_of("+-.");
+  return first != std::string_view::npos && word[first] >= '0' && word[first] <= '9';
+}
+
+/// The numbers of a line, between commas, semicolons or blanks. None: an empty line, a comment, or, where
+/// `may_be_header`, one that does not begin as a number does.
+std::vector<double> numbers_of(const Line& line, bool may_be_header) {
   std::vector<double> numbers;
   constexpr std::string_view kBetween = ",; \t\r";
-  for (std::size_t at = line.find_first_not_of(kBetween); at != std::string_view::npos;
-       at = line.find_first_not_of(kBetween, at)) {
-    const std::size_t end = std::min(line.find_first_of(kBetween, at), line.size());
-    double value = 0.0;
-    const auto [rest, error] = std::from_chars(line.data() + at, line.data() + end, value);
-    if (error != std::errc() || rest != line.data() + end) {
-      if (numbers.empty()) return {};
-      throw InputError(fmt::format("\"{}\" is no list of numbers", line.substr(0, 60)));
-    }
-    numbers.push_back(value);
+  for (std::size_t at = line.text.find_first_not_of(kBetween); at != std::string_view::npos;
+       at = line.text.find_first_not_of(kBetween, at)) {
+    const std::size_t end = std::min(line.text.find_first_of(kBetween, at), line.text.size());
+    const std::string_view word = line.text.substr(at, end - at);
+    if (numbers.empty() && word[0] == '#') return {};
+    const std::optional<double> value = number_in(word);
+    if (!value && numbers.empty() && may_be_header && !begins_as_number(word)) return {};
+    if (!value) line.refuse("no list of numbers");
+    numbers.push_back(*value);
     at = end;
   }
   return numbers;
@@ -64,12 +90,16 @@ Background on_mesh(const std::filesystem::path& path, std::vector<double> sizes)
   return field;
 }
 
-Background read_csv(const std::string& text, const std::filesystem::path& mesh) {
+Background read_csv(std::string_view text, const std::filesystem::path& mesh) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark) text.remove_prefix(kByteOrderMark.size());
   Background field;
   std::vector<double> sizes;
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) {
-    const std::vector<double> numbers = numbers_of(line);
+  for (int count = 1; !text.empty(); ++count) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const Line line{text.substr(0, end), count};
+    text.remove_prefix(std::min(end + 1, text.size()));
+    const std::vector<double> numbers = numbers_of(line, sizes.empty() && field.points.empty());
     if (numbers.empty()) continue;
     if (numbers.size() == 1) {
       sizes.push_back(numbers[0]);
@@ -77,7 +107,7 @@ Background read_csv(const std::string& text, const std::filesystem::path& mesh) 
       field.points.emplace_back(numbers[0], numbers[1], numbers[2]);
       field.point_size.push_back(numbers[3]);
     } else {
-      throw InputError(fmt::format("\"{}\" is neither a size nor x, y, z, size", line.substr(0, 60)));
+      line.refuse("neither a size nor x, y, z, size");
     }
   }
   if (!sizes.empty() && !field.points.empty()) throw InputError("it mixes lines of one and of four numbers");

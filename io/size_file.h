@@ -10,7 +10,8 @@ namespace octet {
 
 /// A CSV file with four numbers a line, x, y, z, size: a point cloud. With one number a line: the sizes of
 /// the tetrahedra of `mesh` (an MSH or VTU file) in its order, or of its nodes, whichever are as many. Lines
-/// of a CSV file that do not begin with a number are comments.
+/// before the first number may be a header, and lines that begin with # are comments; any other line that is
+/// not such numbers is an error that tells it.
 ///
 /// An MSH file with a view of scalars ($ElementData, $NodeData or $ElementNodeData; ASCII or binary) on its
 /// own mesh, or else on `mesh` (an MSH file) by the tags of that. A VTU file with an array of real numbers on

@@ -250,5 +250,28 @@ TEST_F(SizeFile, CountsOfAViewThatTheFileCannotHoldAreRefused) {
   EXPECT_NE(refusal(head + "-1\n").find("negative"), std::string::npos);
 }
 
+// --- CSV ---------------------------------------------------------------------------------------------------
+
+TEST_F(SizeFile, NoLineOfNumbersIsLost) {
+  const Background field = read("\xEF\xBB\xBF+1.0, -2,3 ,+.5\n+1;2;+3;+4e-1\n\n1 2 -3 0.25\r\n");
+  EXPECT_EQ(field.points, (std::vector<Vec3>{Vec3(1, -2, 3), Vec3(1, 2, 3), Vec3(1, 2, -3)}));
+  EXPECT_EQ(field.point_size, (std::vector<double>{0.5, 0.4, 0.25}));
+}
+
+TEST_F(SizeFile, LinesThatAreNoNumbersStandBeforeAllNumbersOrAreComments) {
+  EXPECT_EQ(read("from a solver\n\"x\",\"y\",\"z\",\"size\"\n1,2,3,4\n# the end\n").point_size,
+            std::vector<double>{4.0});
+  const auto refuses = [this](const std::string& text, const std::string& what) {
+    const std::string refused = refusal(text);
+    EXPECT_NE(refused.find(what), std::string::npos) << text << refused;
+  };
+  refuses("x,y,z,size\n1,2,3,4\n\nx,2,3,4\n", "line 4, \"x,2,3,4\"");
+  refuses("x,y,z,size\n1,2,3,four\n", "line 2");
+  refuses("1e999,2,3,4\n1,2,3,4\n", "line 1");
+  refuses("++1,2,3,4\n1,2,3,4\n", "line 1");
+  refuses("+-1,2,3,4\n1,2,3,4\n", "line 1");
+  refuses("1,2,3,4\n1,2,3\n", "line 2");
+}
+
 }  // namespace
 }  // namespace octet
