@@ -238,6 +238,11 @@ std::vector<std::vector<SizeAttribute>> attributes_of(const Model& model, const 
   return result;
 }
 
+void append_outside(const Model& model, std::vector<Fault>& faults) {
+  for (int f = 1; f <= model.count(2); ++f)
+    if (model.is_outside(f)) faults.push_back(not_meshed(model, f));
+}
+
 }  // namespace
 
 bool is_meshed_apart(const Model& model) {
@@ -267,8 +272,7 @@ MeshResult mesh_apart(const Model& model, const MeshOptions& options, Observer& 
     append_report(body, part.report, whole.report);
   }
   whole.report.quality = quality_summary(whole.mesh);
-  for (int f = 1; f <= model.count(2); ++f)
-    if (model.is_outside(f)) whole.report.faults.push_back(not_meshed(model, f));
+  append_outside(model, whole.report.faults);
   if (!whole.report.faults.empty()) whole.report.status = MeshStatus::kIncomplete;
   return whole;
 }
@@ -284,6 +288,16 @@ Acceptance accept_apart(const Mesh& mesh, const Model& model) {
     append_claims(bodies[b], accept_mesh(meshes[b], bodies[b]), whole);
   for (Claim& claim : accept_second_order(mesh, model)) whole.claims.push_back(std::move(claim));
   return whole;
+}
+
+Acceptance accept_as_meshed(const Mesh& mesh, const Model& model) {
+  return is_meshed_apart(model) ? accept_apart(mesh, model) : accept_mesh(mesh, model);
+}
+
+std::vector<Fault> faults_of_part(const Model& model) {
+  std::vector<Fault> faults = model.parts().faults;
+  append_outside(model, faults);
+  return faults;
 }
 
 }  // namespace octet

@@ -18,4 +18,11 @@ namespace octet {
 /// As accept_mesh(), body by body: for a mesh that mesh_apart() made.
 [[nodiscard]] Acceptance accept_apart(const Mesh& mesh, const Model& model);
 
+/// Either, as mesh_part() would have made the mesh.
+[[nodiscard]] Acceptance accept_as_meshed(const Mesh& mesh, const Model& model);
+
+/// What of the part is in no mesh, whatever its claims say: solids that reading left out or could not join,
+/// and faces outside of all regions.
+[[nodiscard]] std::vector<Fault> faults_of_part(const Model& model);
+
 }  // namespace octet

@@ -53,15 +53,16 @@ int run_check(const CheckCommand& command) {
   const LengthUnit unit = length_unit(command.unit.empty() ? "mm" : command.unit);
   const Mesh mesh = read_mesh(command.mesh, unit.millimetres);
   const Model model = read_part(command.part, command.reading);
-  const Acceptance acceptance = is_meshed_apart(model) ? accept_apart(mesh, model) : accept_mesh(mesh, model);
+  const Acceptance acceptance = accept_as_meshed(mesh, model);
+  const std::vector<Fault> beside = faults_of_part(model);
   const RunNames names{command.part.string(), command.mesh.string(), unit.name};
   if (command.json)
-    fmt::print("{}", acceptance_json(names, model, acceptance));
+    fmt::print("{}", acceptance_json(names, model, acceptance, beside));
   else
-    fmt::print("{} against {}\n{}", names.mesh, names.part, acceptance_summary(model, acceptance));
+    fmt::print("{} against {}\n{}", names.mesh, names.part, acceptance_summary(model, acceptance, beside));
   if (!acceptance.holds())
     fmt::print(command.json ? stderr : stdout, "{}", hint_of_other_options(mesh, model));
-  return acceptance.holds() ? kExitComplete : kExitIncomplete;
+  return acceptance.holds() && beside.empty() ? kExitComplete : kExitIncomplete;
 }
 
 }  // namespace octet

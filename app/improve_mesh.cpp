@@ -44,7 +44,7 @@ MeshResult improve(Mesh mesh, const Model& model, const ImproveOptions& options,
   observer.stage("acceptance of the input", 0.0);
   if (const std::string fault = check_mesh_soundness(mesh); !fault.empty())
     throw InputError("the mesh is no sound classified mesh: " + fault);
-  require_claims(accept_mesh(mesh, model), model);
+  require_claims(accept_as_meshed(mesh, model), model);
   release_seams(mesh, model);
   result.report.times.push_back(clock.lap("acceptance of the input"));
 
@@ -60,9 +60,12 @@ MeshResult improve(Mesh mesh, const Model& model, const ImproveOptions& options,
   observer.stage("acceptance", 0.8);
   const double mean = std::accumulate(sizes.begin(), sizes.end(), 0.0) / static_cast<double>(sizes.size());
   result.report.size = options.size > 0.0 ? options.size : mean;
-  result.report.acceptance = is_meshed_apart(model) ? accept_apart(mesh, model) : accept_mesh(mesh, model);
-  result.report.faults = faults_of(result.report.acceptance.claims);
-  if (result.report.acceptance.holds()) result.report.status = MeshStatus::kComplete;
+  result.report.acceptance = accept_as_meshed(mesh, model);
+  result.report.faults = faults_of_part(model);
+  const std::vector<Fault> broken = faults_of(result.report.acceptance.claims);
+  result.report.faults.insert(result.report.faults.end(), broken.begin(), broken.end());
+  if (result.report.acceptance.holds() && result.report.faults.empty())
+    result.report.status = MeshStatus::kComplete;
   measure_mesh(mesh, model, result.report);
   result.report.times.push_back(clock.lap("acceptance"));
   result.mesh = std::move(mesh);

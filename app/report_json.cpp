@@ -166,8 +166,10 @@ std::string failure_json(const RunNames& names, const std::string& message) {
   return text_of(json);
 }
 
-std::string acceptance_json(const RunNames& names, const Model& model, const Acceptance& acceptance) {
-  Json json = head_json(names, acceptance.holds() ? "complete" : "incomplete");
+std::string acceptance_json(const RunNames& names, const Model& model, const Acceptance& acceptance,
+                            const std::vector<Fault>& beside) {
+  Json json = head_json(names, acceptance.holds() && beside.empty() ? "complete" : "incomplete");
+  json["faults"] = faults_json(model, beside);
   json["claims"] = claims_json(model, acceptance);
   return text_of(json);
 }

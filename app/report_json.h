@@ -21,7 +21,8 @@ struct RunNames {
                                            const MeshReport& report);
 /// The report of a run that ended without a mesh.
 [[nodiscard]] std::string failure_json(const RunNames& names, const std::string& message);
+/// With the faults beside those of the claims.
 [[nodiscard]] std::string acceptance_json(const RunNames& names, const Model& model,
-                                          const Acceptance& acceptance);
+                                          const Acceptance& acceptance, const std::vector<Fault>& beside);
 
 }  // namespace octet

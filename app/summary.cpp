@@ -172,7 +172,8 @@ std::string mesh_summary(const Model& model, const MeshReport& report) {
   return text + fault_lines(model, report.faults);
 }
 
-std::string acceptance_summary(const Model& model, const Acceptance& acceptance) {
+std::string acceptance_summary(const Model& model, const Acceptance& acceptance,
+                               const std::vector<Fault>& beside) {
   std::string text;
   std::size_t broken = 0;
   for (const Claim& claim : acceptance.claims) {
@@ -183,10 +184,13 @@ std::string acceptance_summary(const Model& model, const Acceptance& acceptance)
     if (!claim.holds) text += fault_lines(model, claim.faults);
     broken += claim.holds ? 0 : 1;
   }
-  text += broken == 0 ? fmt::format("  status   complete: all {} claims hold\n", acceptance.claims.size())
-                      : fmt::format("  status   incomplete: {} of {} claims are broken\n", broken,
-                                    acceptance.claims.size());
-  return text;
+  const std::string claims =
+      broken == 0 ? fmt::format("all {} claims hold", acceptance.claims.size())
+                  : fmt::format("{} of {} claims are broken", broken, acceptance.claims.size());
+  if (beside.empty())
+    return text + fmt::format("  status   {}: {}\n", broken == 0 ? "complete" : "incomplete", claims);
+  text += fmt::format("  status   incomplete: {}, and of the part\n", claims);
+  return text + fault_lines(model, beside);
 }
 
 }  // namespace octet

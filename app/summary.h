@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "app/mesh_part.h"
 
@@ -12,7 +13,8 @@ namespace octet {
 [[nodiscard]] std::string quality_line(const char* name, const QualitySummary& quality);
 /// The end of `octet mesh`: elements, quality, measures against the CAD, times, status, faults.
 [[nodiscard]] std::string mesh_summary(const Model& model, const MeshReport& report);
-/// `octet check`: every claim by name, with its worst places.
-[[nodiscard]] std::string acceptance_summary(const Model& model, const Acceptance& acceptance);
+/// `octet check`: every claim by name, with its worst places, and the faults beside them.
+[[nodiscard]] std::string acceptance_summary(const Model& model, const Acceptance& acceptance,
+                                             const std::vector<Fault>& beside);
 
 }  // namespace octet

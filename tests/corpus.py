@@ -191,8 +191,9 @@ def run_one(args, part, size, folder, standing):
     if report["faults"]:
         fault = report["faults"][0]
         row["why"] = f"{len(report['faults'])} faults: {fault['entity']}: {fault['cause']}"
-    check, _, err, _ = call([args.octet, "check", mesh, part], args.limit)
-    row["check"] = "timeout" if check is None else {0: "ok", 3: "broken"}.get(check, f"exit {check} {err.strip()}")
+    check, out, err, _ = call([args.octet, "check", mesh, part], args.limit)
+    told = {0: "ok", 3: "broken" if "BROKEN" in out else "left out"}
+    row["check"] = "timeout" if check is None else told.get(check, f"exit {check} {err.strip()}")
     verdicts = [row["check"]]
     if args.meshstat:
         row["stat"], stat = judge_mesh(args, mesh)

@@ -69,6 +69,18 @@ TEST(ImproveCommand, RefusesTheMeshOfAnotherPartAndNamesTheClaim) {
   EXPECT_EQ(out.names(), (std::vector<std::string>{"raw.msh"}));
 }
 
+TEST(ImproveCommand, BettersBodiesThatTouchAndAreKeptApart) {
+  const TemporaryDirectory out;
+  const std::string part = model_file("two_boxes.step"), raw = out.file("raw.msh"),
+                    better = out.file("b.msh");
+  ASSERT_EQ(run_octet({"mesh", part, "-o", raw, "--no-fuse", "--no-finalize"}).exit_code, kExitComplete);
+  const auto run = run_octet({"improve", raw, part, "-o", better, "--no-fuse"});
+  ASSERT_EQ(run.exit_code, kExitComplete) << run.out << run.err;
+  EXPECT_GT(quality_summary(read_mesh(better)).p1_min_dihedral,
+            quality_summary(read_mesh(raw)).p1_min_dihedral);
+  EXPECT_EQ(run_octet({"check", better, part, "--no-fuse"}).exit_code, kExitComplete);
+}
+
 TEST(ImproveMesh, GivesSeamsToTheirFaces) {
   const Model model = read_part(model_file("cylinder.step"));
   int seam = 1;
