@@ -65,7 +65,8 @@ class Child {
   explicit Child(pid_t pid) : pid_(pid) {}
   [[nodiscard]] pid_t pid() const { return pid_; }
   ~Child() {
-    ::kill(pid_, SIGKILL);
+    // Of one that is reaped the number may be another's by now.
+    if (!status_) ::kill(pid_, SIGKILL);
     (void)wait();
   }
   Child(const Child&) = delete;
@@ -294,6 +295,10 @@ pid_t start_program(const std::filesystem::path& program, int socket) {
   posix_spawn_file_actions_t actions;
   ::posix_spawn_file_actions_init(&actions);
   ::posix_spawn_file_actions_adddup2(&actions, socket, kHelperSocket);
+#if __GLIBC_PREREQ(2, 34)
+  // What the host has open without O_CLOEXEC is not the helper's.
+  ::posix_spawn_file_actions_addclosefrom_np(&actions, kHelperSocket + 1);
+#endif
   std::string name = program.string();
   std::array<char*, 2> arguments{name.data(), nullptr};
   pid_t pid = -1;
