@@ -12,10 +12,11 @@
 
 namespace octet {
 
-Model model_from_shape(const TopoDS_Shape& shape, const ReadOptions& options) {
+Model model_from_shape(const TopoDS_Shape& shape, const ReadOptions& options, const char* installed_reader) {
   if (shape.IsNull()) throw InputError("the shape is null");
   ReadJob job;
   job.options = options;
+  job.installed_reader = installed_reader;
   try {
     // The copy shares the geometry; topology and triangulation are its own.
     job.shape = BRepBuilderAPI_Copy(shape, false, false).Shape();

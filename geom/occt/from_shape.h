@@ -10,6 +10,7 @@ namespace octet {
 
 /// As read_part(), for a shape whose lengths are millimetre. Entities are numbered in the order of
 /// TopExp::MapShapes of the shape as given. The shape is not changed.
-[[nodiscard]] Model model_from_shape(const TopoDS_Shape& shape, const ReadOptions& options = {});
+[[nodiscard]] Model model_from_shape(const TopoDS_Shape& shape, const ReadOptions& options = {},
+                                     const char* installed_reader = kInstalledReader);
 
 }  // namespace octet

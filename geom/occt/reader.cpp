@@ -30,7 +30,6 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string do_job(const ReadJob& job, const StageLog& log) {
-  const Silence silence;
   try {
     CadDocument document;
     if (job.shape.IsNull()) {
@@ -58,19 +57,28 @@ std::string encode_job(const ReadJob& job) {
   return std::move(out.bytes);
 }
 
+/// In a process of its own, whose messages nobody reads. Elsewhere the printers of OCCT's messenger are the
+/// host's, which may be sending messages in other threads.
+std::string do_job_silently(const ReadJob& job, const StageLog& log) {
+  const Silence silence;
+  return do_job(job, log);
+}
+
 fs::path directory_of_program() {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   return error ? fs::path() : program.parent_path();
 }
 
-/// The helper where it may be: asked for, in a build tree, in the tree of an installed program, where it was
-/// installed, where Debian's package has it. Empty: nowhere.
-fs::path find_helper(const ReadOptions& options) {
-  if (!options.reader_program.empty()) return options.reader_program;
+/// The helper where it may be: asked for, in the package that the host was built with, in a build tree, in
+/// the tree of an installed program, where it was to be installed, where Debian's package has it. Empty:
+/// nowhere.
+fs::path find_helper(const ReadJob& job) {
+  if (!job.options.reader_program.empty()) return job.options.reader_program;
   const fs::path here = directory_of_program();
-  for (const fs::path& path : {here / "octet-reader", here / "../libexec/octet/octet-reader",
-                               fs::path(OCTET_READER), fs::path("/usr/libexec/octet/octet-reader")})
+  for (const fs::path& path :
+       {job.installed_reader, here / "octet-reader", here / "../libexec/octet/octet-reader",
+        fs::path(OCTET_READER), fs::path("/usr/libexec/octet/octet-reader")})
     if (::access(path.c_str(), X_OK) == 0) return path;
   return {};
 }
@@ -86,13 +94,20 @@ std::string guarded_bytes(const ReadJob& job, std::string& note) {
     const OcctLock lock;
     return do_job(job, [](const std::string&) {});
   };
-  if (!options.isolate) return in_this_process();
+  if (!options.isolate) {
+    if (options.require_isolation) throw InputError("isolation is required, and turned off");
+    return in_this_process();
+  }
   const ChildLimits limits{options.time_limit,
                            options.memory_limit > 0 ? options.memory_limit : default_memory()};
   if (has_one_thread() && options.reader_program.empty())
-    return run_in_child([&](const StageLog& log) { return do_job(job, log); }, limits);
-  const fs::path helper = find_helper(options);
+    return run_in_child([&](const StageLog& log) { return do_job_silently(job, log); }, limits);
+  const fs::path helper = find_helper(job);
   if (!helper.empty()) return run_in_helper(helper, reader_version(), encode_job(job), limits);
+  if (options.require_isolation)
+    throw InputError(
+        "the part cannot be read in a process of its own: this one has several threads, and the program "
+        "octet-reader was not found (ReadOptions::reader_program)");
   note = "read without limits of time and memory: the program octet-reader was not found";
   return in_this_process();
 }
@@ -163,7 +178,7 @@ std::string serve_job(std::string_view request, const StageLog& log) {
      job.meeting.crossing, job.meeting.touching);
   job.path = path;
   if (!shape.empty()) job.shape = decode_shape(shape);
-  return do_job(job, log);
+  return do_job_silently(job, log);
 }
 
 ModelParts read_job(const ReadJob& job) {

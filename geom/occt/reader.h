@@ -21,7 +21,8 @@ struct ReadJob {
   FileKind kind = FileKind::kStep;
   TopoDS_Shape shape;  ///< used when it is not null
   ReadOptions options;
-  MeetingFaces meeting;  ///< of a reading before
+  MeetingFaces meeting;                    ///< of a reading before
+  std::filesystem::path installed_reader;  ///< the helper of the package that the caller was built with
 };
 
 /// The part. Where faces of one solid cross it is read once more, so that it becomes what it encloses; where

@@ -7,7 +7,8 @@
 
 namespace octet {
 
-/// Takes the printers off OCCT's default messenger and puts them back. Not thread-safe: hold the lock.
+/// Takes the printers off OCCT's default messenger and puts them back. For processes of our own: while a host
+/// has another thread that sends messages, nobody may touch the printers.
 class Silence {
  public:
   Silence() : printers_(Message::DefaultMessenger()->Printers()) {

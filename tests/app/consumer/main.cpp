@@ -5,7 +5,10 @@
 #include <geom/occt/from_shape.h>
 
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <atomic>
 #include <cstdio>
+#include <string>
+#include <thread>
 
 namespace {
 
@@ -46,11 +49,32 @@ bool can_be_cancelled() {
   return false;
 }
 
+/// In a program with several threads a part is read by the installed program octet-reader, which lies where
+/// nobody told.
+bool reads_isolated_with_threads() {
+  std::atomic<bool> done{false};
+  std::thread other([&done] { done.wait(false); });
+  bool isolated = false;
+  try {
+    octet::ReadOptions options;
+    options.require_isolation = true;
+    const octet::Model model = octet::model_from_shape(BRepPrimAPI_MakeCylinder(1.0, 2.0).Shape(), options);
+    isolated = model.notes().empty();
+    for (const std::string& note : model.notes()) std::printf("note: %s\n", note.c_str());
+  } catch (const octet::InputError& error) {
+    std::printf("not isolated: %s\n", error.what());
+  }
+  done = true;
+  done.notify_all();
+  other.join();
+  return isolated;
+}
+
 }  // namespace
 
 int main() {
   const bool box = mesh("analytic box", octet::analytic_box(octet::Vec3(1, 2, 3)), 0.4);
   const TopoDS_Shape shape = BRepPrimAPI_MakeCylinder(1.0, 2.0).Shape();
   const bool cylinder = mesh("shape", octet::model_from_shape(shape), 0.4);
-  return box && cylinder && refuses_bad_size() && can_be_cancelled() ? 0 : 1;
+  return box && cylinder && refuses_bad_size() && can_be_cancelled() && reads_isolated_with_threads() ? 0 : 1;
 }

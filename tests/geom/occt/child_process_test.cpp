@@ -2,17 +2,26 @@
 // Work that hangs, crashes or eats memory ends as one clear error, and leaves no process behind.
 #include "geom/occt/child_process.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRep_Builder.hxx>
+#include <Message.hxx>
+#include <Message_Messenger.hxx>
+#include <Message_Printer.hxx>
 #include <TopoDS_Compound.hxx>
+#include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <fstream>
 #include <functional>
 #include <gp_Pnt.hxx>
+#include <sstream>
 #include <string>
 #include <thread>
 
@@ -22,6 +31,19 @@
 #include "geom/occt/read_again.h"
 #include "geom/occt/reader.h"
 #include "sample_parts.h"
+
+namespace {
+
+int kills_of_none = 0;
+
+}  // namespace
+
+/// In place of the C library's: counts signals to processes that are no child's, or no child's any more.
+extern "C" int kill(pid_t pid, int signal) noexcept {
+  siginfo_t info{};
+  if (::waitid(P_PID, static_cast<id_t>(pid), &info, WEXITED | WNOHANG | WNOWAIT) != 0) ++kills_of_none;
+  return static_cast<int>(::syscall(SYS_kill, pid, signal));
+}
 
 namespace octet::test {
 namespace {
@@ -71,6 +93,17 @@ TEST(ChildProcess, ACrashNamesItsStage) {
       {});
   EXPECT_NE(error.find("crashed while triangulating Face 12"), std::string::npos) << error;
   expect_no_child_left();
+}
+
+TEST(ChildProcess, NoSignalGoesToAChildThatHasBeenReaped) {
+  kills_of_none = 0;
+  const auto crash = [](const StageLog&) -> std::string {
+    std::raise(SIGSEGV);
+    return {};
+  };
+  EXPECT_NE(error_of(crash, {}), "no error");
+  EXPECT_EQ(run_in_child([](const StageLog&) { return std::string("done"); }, {}), "done");
+  EXPECT_EQ(kills_of_none, 0);
 }
 
 TEST(ChildProcess, TooMuchMemoryNamesItsStageAndTheLimit) {
@@ -171,6 +204,94 @@ TEST(Reading, AMissingHelperIsAnError) {
   ReadOptions options;
   options.reader_program = "/nowhere/octet-reader";
   EXPECT_THROW((void)read_part(sample_path("box"), options), InputError);
+}
+
+/// Runs what asks for it beside a second thread, and returns the error.
+std::string beside_a_thread(const std::function<void()>& work) {
+  std::atomic<bool> done{false};
+  std::thread other([&done] { done.wait(false); });
+  std::string error;
+  try {
+    work();
+  } catch (const InputError& caught) {
+    error = caught.what();
+  }
+  done = true;
+  done.notify_all();
+  other.join();
+  return error;
+}
+
+TEST(Reading, WithThreadsTheInstalledHelperIsUsedAndIsolationMayBeRequired) {
+  ReadOptions options;
+  options.require_isolation = true;
+  const auto read = [&](const char* installed) {
+    return beside_a_thread(
+        [&] { EXPECT_TRUE(read_part(sample_path("box"), options, installed).notes().empty()); });
+  };
+  EXPECT_EQ(read(OCTET_READER_PROGRAM), "");
+  if (::access("/usr/libexec/octet/octet-reader", X_OK) == 0) GTEST_SKIP() << "Octet is installed here";
+  EXPECT_NE(read("").find("octet-reader was not found"), std::string::npos);
+  options.require_isolation = false;
+  EXPECT_EQ(beside_a_thread([&] { EXPECT_EQ(read_part(sample_path("box"), options).notes().size(), 1u); }),
+            "");
+  options.require_isolation = true;
+  options.isolate = false;
+  EXPECT_THROW((void)read_part(sample_path("box"), options), InputError);
+}
+
+/// Of the host: counts what it is sent.
+class Counter : public Message_Printer {
+ public:
+  explicit Counter(std::atomic<int>& count) : count_(count) {}
+
+ protected:
+  void send(const TCollection_AsciiString& text, Message_Gravity) const override {
+    if (text == "from the host") ++count_;
+  }
+
+ private:
+  std::atomic<int>& count_;
+};
+
+TEST(Reading, InThisProcessLeavesMessagesOfOtherThreadsAlone) {
+  const Handle(Message_Messenger)& messenger = Message::DefaultMessenger();
+  const Message_SequenceOfPrinters before = messenger->Printers();
+  std::atomic<int> received{0};
+  messenger->ChangePrinters().Clear();
+  messenger->AddPrinter(new Counter(received));
+  std::atomic<bool> stop{false};
+  int sent = 0;
+  std::thread host([&] {
+    for (; !stop; ++sent) messenger->Send("from the host", Message_Info);
+  });
+  ReadOptions options;
+  options.isolate = false;
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(read_part(sample_path("box"), options).count(2), 6);
+  stop = true;
+  host.join();
+  EXPECT_GT(sent, 0);
+  EXPECT_EQ(received, sent);
+  messenger->ChangePrinters() = before;
+}
+
+TEST(Reading, AHelperGetsNothingThatTheHostHasOpen) {
+  const std::filesystem::path program = std::filesystem::temp_directory_path() / "octet_open_files.sh";
+  const std::filesystem::path list = std::filesystem::temp_directory_path() / "octet_open_files.txt";
+  std::ofstream(program) << "#!/bin/sh\nls -l /proc/$$/fd > " << list.string() << "\n";
+  std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+  const int low = ::open("/dev/zero", O_RDONLY);
+  const int open_file = ::fcntl(low, F_DUPFD, 20);  // the helper's own files take the lowest numbers
+  ::close(low);
+  ASSERT_GE(open_file, 20);
+  EXPECT_THROW((void)run_in_helper(program, "any", "", {}), InputError);
+  ::close(open_file);
+  std::stringstream told;
+  told << std::ifstream(list).rdbuf();
+  EXPECT_NE(told.str().find("socket:"), std::string::npos) << told.str();
+  EXPECT_EQ(told.str().find("/dev/zero"), std::string::npos) << told.str();
+  std::filesystem::remove(program);
+  std::filesystem::remove(list);
 }
 
 TEST(Reading, AHelperOfAnotherVersionIsNamedWithBoth) {
