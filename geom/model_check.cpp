@@ -115,6 +115,14 @@ std::string check_facets(const Model& model) {
   return {};
 }
 
+std::string check_no_face_is_bare(const Model& model) {
+  std::vector<bool> has_facets(static_cast<std::size_t>(model.count(2)) + 1, false);
+  for (const int f : model.facets().face) has_facets[static_cast<std::size_t>(f)] = true;
+  for (int f = 1; f <= model.count(2); ++f)
+    if (!has_facets[static_cast<std::size_t>(f)]) return model.describe(model_face(f)) + ": it has no facets";
+  return {};
+}
+
 std::string check_closed(const Model& model) {
   struct Side {
     std::uint32_t a, b;
@@ -147,7 +155,8 @@ std::string check_closed(const Model& model) {
 }  // namespace
 
 std::string check_model(const Model& model) {
-  for (const auto check : {check_vertices, check_edges, check_faces, check_facets, check_closed})
+  for (const auto check :
+       {check_vertices, check_edges, check_faces, check_facets, check_no_face_is_bare, check_closed})
     if (std::string fault = check(model); !fault.empty()) return fault;
   return {};
 }

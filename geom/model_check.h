@@ -12,7 +12,8 @@ namespace octet {
 ///  1. adjacency agrees in both directions (vertex-edge, edge-face, face-region), lists ascending;
 ///  2. vertices lie on the ends of their edges' curves, edges on their faces, within the stated tolerances;
 ///  3. facet nodes lie on their faces within the stated deviation, facets are oriented as the face;
-///  4. the facets of every region are closed: each side is used as often in either direction.
+///  4. every face has facets, and those of every region are closed: each side is used as often in either
+///  direction.
 /// Cost: some samples on each edge and one projection per facet.
 [[nodiscard]] std::string check_model(const Model& model);
 

@@ -196,9 +196,11 @@ void weld(const Numbering& numbering, ModelParts& parts) {
   measure_deviation(welder.chain_parameters(), parts);
 }
 
-/// By face tag. What suits an assembly may be larger than a screw in it, whose holes would vanish.
-std::vector<double> default_deflections(const ModelParts& parts, const Extents& extents) {
-  std::vector<double> deflections(parts.faces.size(), kDeflectionShare * extents.diagonal());
+/// By face tag. What suits an assembly may be larger than a screw in it, whose holes would vanish; what is
+/// asked for, larger than a ball, of which no facet would be left.
+std::vector<double> deflections_of(const ModelParts& parts, const Extents& extents, double asked) {
+  std::vector<double> deflections(parts.faces.size(),
+                                  asked > 0.0 ? asked : kDeflectionShare * extents.diagonal());
   for (const ModelRegion& region : parts.regions) {
     const double own = extents.diagonal_of(region);
     if (!(own > 0.0)) continue;
@@ -229,9 +231,7 @@ void refuse_far_facets(const ModelParts& parts, const std::vector<double>& defle
 
 void tessellate(const Numbering& numbering, double deflection, const StageLog& log, ModelParts& parts) {
   const Extents extents(parts);
-  const std::vector<double> deflections = deflection > 0.0
-                                              ? std::vector<double>(parts.faces.size(), deflection)
-                                              : default_deflections(parts, extents);
+  const std::vector<double> deflections = deflections_of(parts, extents, deflection);
   const double coarsest = *std::max_element(deflections.begin(), deflections.end());
   std::optional<ModelError> first;
   bool closes = false;

@@ -13,8 +13,8 @@ inline constexpr double kDeflectionShare = 1.0 / 2000.0;
 
 /// Triangulates the faces (their OCCT triangulation is replaced) and fills `parts.facets`, welded by
 /// topology, with measured deviations: by triangulate_boundary(), or by OCCT's mesher where that fails.
-/// `deflection` 0: a two-thousandth of the diagonal, and no more than a fiftieth of that of the solids that
-/// a face bounds. ModelError: a face that cannot be triangulated, a region whose facets are not closed
+/// `deflection` 0: a two-thousandth of the diagonal; never more than a fiftieth of that of the solids that a
+/// face bounds. ModelError: a face that cannot be triangulated, a region whose facets are not closed
 /// (entity and place).
 void tessellate(const Numbering& numbering, double deflection, const StageLog& log, ModelParts& parts);
 

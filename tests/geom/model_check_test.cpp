@@ -55,6 +55,14 @@ TEST(ModelCheck, AnalyticModelsHoldTheirInvariants) {
   EXPECT_EQ(check_model(Model(pyramid())), "");
 }
 
+TEST(ModelCheck, FacesWithoutFacetsAreTold) {
+  ModelParts parts = pyramid();
+  parts.facets.triangles.clear();
+  parts.facets.uv.clear();
+  parts.facets.face.clear();
+  EXPECT_NE(check_model(Model(std::move(parts))).find("it has no facets"), std::string::npos);
+}
+
 TEST(ModelCheck, OpenFacetsAreTold) {
   ModelParts parts = pyramid();
   parts.facets.triangles.pop_back();

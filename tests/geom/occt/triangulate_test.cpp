@@ -9,6 +9,7 @@
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRep_Builder.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
@@ -102,6 +103,18 @@ TEST(Triangulate, FacetsStayWithinTheDeflectionAsked) {
     for (int e = 1; e <= model.count(1); ++e)
       EXPECT_LT(model.facets().edge_deviation[e], 2.0 * options.facet_deflection) << name << " Edge " << e;
   }
+}
+
+TEST(Triangulate, NoDeflectionIsSoLargeThatASolidLosesItsFacets) {
+  for (const TopoDS_Shape& shape :
+       {BRepPrimAPI_MakeSphere(1.0).Shape(), BRepPrimAPI_MakeTorus(3.0, 1.0).Shape()})
+    for (const double asked : {3.0, 1e300}) {
+      ReadOptions options;
+      options.facet_deflection = asked;
+      const Model model = model_from_shape(shape, options);
+      EXPECT_EQ(check_model(model), "") << asked;
+      EXPECT_GT(model.facets().triangles.size(), 50u) << asked;
+    }
 }
 
 TEST(Triangulate, AnEdgeInsideAFaceIsASlitOfTheFacets) {
