@@ -135,10 +135,10 @@ class OpenShells {
     }
   }
 
-  /// What sewing left open of a part of which it closed something.
-  void tell_sewn() {
+  /// Shells beside solids, and what sewing left open of a part of which it closed something.
+  void tell_shells() {
     for (const TopoDS_Shape& shell : healed_.open)
-      if (!is_told(shell))
+      if (!is_told(shell) && !is_embedded(shell))
         tell(shell, shell, fmt::format("a shell of {} faces", sub_shapes(shell, TopAbs_FACE).Extent()));
   }
 
@@ -168,6 +168,14 @@ class OpenShells {
     for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next())
       if (!told_.contains(number_as_read(2, it.Current(), as_read_, healed_))) return false;
     return true;
+  }
+
+  [[nodiscard]] bool is_embedded(const TopoDS_Shape& shape) const {
+    for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next())
+      if (const int number = number_as_read(2, it.Current(), as_read_, healed_);
+          number > 0 && !parts_.provenance.as_read[2][static_cast<std::size_t>(number)].tags.empty())
+        return true;
+    return false;
   }
 
   const ShapeMaps& as_read_;
@@ -236,7 +244,7 @@ AssembledPart assemble(const CadDocument& document, const ReadOptions& options, 
   tell_faults(joined, as_read, healed, parts);
   OpenShells open(as_read, healed, sewing, parts);
   open.tell_parts(document);
-  open.tell_sewn();
+  open.tell_shells();
   note_overlaps(parts);
   note_left_out(parts);
   return std::move(joined.part);

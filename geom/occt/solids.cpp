@@ -7,6 +7,7 @@
 #include <BRep_Tool.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
@@ -79,6 +80,30 @@ std::vector<TopoDS_Shape> open_shells(const Sewn& sewn) {
     const TopTools_IndexedMapOfShape faces = sub_shapes(it.Current(), TopAbs_FACE);
     if (faces.Extent() > 1 && !used.Contains(faces(1)) && edge_uses(it.Current()).first(&Uses::open) != 0)
       shells.push_back(it.Current());
+  }
+  return shells;
+}
+
+/// Whether two of its faces share an edge.
+bool hangs_together(const TopoDS_Shape& shell) {
+  TopTools_IndexedDataMapOfShapeListOfShape faces_of;
+  TopExp::MapShapesAndUniqueAncestors(shell, TopAbs_EDGE, TopAbs_FACE, faces_of);
+  return std::any_of(faces_of.cbegin(), faces_of.cend(),
+                     [](const auto& faces) { return faces.Extent() > 1; });
+}
+
+/// Shells of the file, none of whose faces is in a solid. Single faces, and such as only lie side by side,
+/// are for construction; several that hang together were meant to bound something.
+std::vector<TopoDS_Shape> open_shells_as_read(const TopoDS_Shape& shape, const SolidSet& set) {
+  TopTools_MapOfShape used, seen;
+  for (const TopoDS_Shape& solid : set.solids)
+    for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next()) used.Add(it.Current());
+  std::vector<TopoDS_Shape> shells;
+  for (TopExp_Explorer it(shape, TopAbs_SHELL, TopAbs_SOLID); it.More(); it.Next()) {
+    const TopTools_IndexedMapOfShape faces = sub_shapes(it.Current(), TopAbs_FACE);
+    const bool is_used = std::any_of(faces.cbegin(), faces.cend(),
+                                     [&](const TopoDS_Shape& face) { return used.Contains(face); });
+    if (!is_used && hangs_together(it.Current()) && seen.Add(it.Current())) shells.push_back(it.Current());
   }
   return shells;
 }
@@ -189,6 +214,8 @@ SolidSet collect_solids(const TopoDS_Shape& shape, const ShapeMaps& as_read, con
     add_caps(sewn.caps, as_read, set);
     set.solids.insert(set.solids.end(), sewn.solids.begin(), sewn.solids.end());
     set.open = open_shells(sewn);
+  } else {
+    set.open = open_shells_as_read(shape, set);
   }
   if (set.solids.empty()) {
     const TopoDS_Shape& open = sewn.shape.IsNull() ? shape : sewn.shape;

@@ -26,7 +26,8 @@ struct SolidSet {
   Handle(BRepTools_History) history;  ///< from the shape as read; what is not in it is unchanged
   std::vector<std::string> notes;
   std::vector<TopoDS_Shape> caps{};  ///< faces that were added over openings, as they were then
-  std::vector<TopoDS_Shape> open{};  ///< shells of several faces that sewing left open beside closed ones
+  std::vector<TopoDS_Shape>
+      open{};  ///< shells of several faces that are open, or that sewing left so beside closed ones
 };
 
 /// What became of an entity of the shape as read; itself where nothing did, nothing where it was removed.

@@ -7,9 +7,11 @@
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRep_Builder.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_ListOfShape.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Shell.hxx>
 #include <gp.hxx>
 #include <gp_Ax2.hxx>
 #include <gp_Pnt.hxx>
@@ -78,6 +80,40 @@ TEST(OpenParts, AShellThatSewingLeavesOpenBesideAClosedOneIsAFault) {
   ASSERT_EQ(parts.faults.size(), 1u);
   EXPECT_NE(parts.faults[0].cause.find("a shell of 5 faces is left out"), std::string::npos)
       << parts.faults[0].cause;
+}
+
+/// The first `count` faces of a box, as a shell.
+TopoDS_Shape shell_of_box(const gp_Pnt& corner, double size, int count) {
+  const BRep_Builder builder;
+  TopoDS_Shell shell;
+  builder.MakeShell(shell);
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(corner, size, size, size).Solid();
+  for (TopExp_Explorer it(box, TopAbs_FACE); it.More() && count > 0; it.Next(), --count)
+    builder.Add(shell, it.Current());
+  return shell;
+}
+
+TEST(OpenParts, AnOpenShellBesideASolidOfItsPartIsAFault) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(1.0, 1.0, 1.0).Solid();
+  const auto beside = [&](const TopoDS_Shape& other, const ReadOptions& options = {}) {
+    return parts_of({compound_of(std::vector<TopoDS_Shape>{box, other})}, options);
+  };
+  for (const int count : {3, 5}) {
+    const ModelParts parts = beside(shell_of_box({5, 5, 5}, 1.0, count));
+    EXPECT_EQ(parts.regions.size(), 2u);
+    ASSERT_EQ(parts.faults.size(), 1u) << count;
+    EXPECT_NE(parts.faults[0].cause.find(std::to_string(count) + " faces is left out"), std::string::npos)
+        << parts.faults[0].cause;
+  }
+  // For construction: one face, two that only lie side by side, faces in no shell.
+  EXPECT_TRUE(beside(shell_of_box({5, 5, 5}, 1.0, 1)).faults.empty());
+  EXPECT_TRUE(beside(shell_of_box({5, 5, 5}, 1.0, 2)).faults.empty());
+  EXPECT_TRUE(beside(compound_of(loose_faces({5, 5, 5}, 1))).faults.empty());
+  // Within the solid: told by a note, or a part of the mesh.
+  ReadOptions embed;
+  embed.embed = true;
+  EXPECT_TRUE(beside(shell_of_box({0.3, 0.3, 0.3}, 0.3, 3)).faults.empty());
+  EXPECT_TRUE(beside(shell_of_box({0.3, 0.3, 0.3}, 0.3, 3), embed).faults.empty());
 }
 
 /// A block with a hole of radius 2 along z, and a tube of the radius and z given along the hole's axis.
