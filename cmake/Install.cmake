@@ -10,7 +10,11 @@ set_target_properties(octet_whole PROPERTIES EXPORT_NAME octet)
 get_property(rooms GLOBAL PROPERTY OCTET_ROOMS)
 target_link_libraries(octet_whole INTERFACE ${rooms})
 
+# Whoever uses it has the program that reads where a process with threads cannot (ReadOptions::reader_program).
+add_dependencies(octet_whole octet_reader)
+
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/octet)
+set(installed)
 foreach(room IN LISTS rooms)
   get_target_property(room_dir ${room} SOURCE_DIR)
   get_target_property(headers ${room} OCTET_ROOM_HEADERS)
@@ -19,11 +23,14 @@ foreach(room IN LISTS rooms)
     get_filename_component(folder ${shown} DIRECTORY)
     install(FILES ${room_dir}/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/octet/${folder}
             COMPONENT library)
+    list(APPEND installed ${shown})
   endforeach()
 endforeach()
+# For the ctest `installed_headers`.
+list(JOIN installed "\n" installed)
+file(WRITE ${PROJECT_BINARY_DIR}/installed_headers.txt "${installed}\n")
 install(TARGETS ${rooms} octet_whole EXPORT octetTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
         COMPONENT library)
-install(TARGETS octet RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
 install(TARGETS octet_reader RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/octet COMPONENT program)
 install(EXPORT octetTargets NAMESPACE octet:: DESTINATION ${package_dir} COMPONENT library)
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/octetConfig.cmake.in
@@ -31,6 +38,10 @@ configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/octetConfig.cmake.in
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/octetConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/octetConfig.cmake ${PROJECT_BINARY_DIR}/octetConfigVersion.cmake
         DESTINATION ${package_dir} COMPONENT library)
+if(NOT OCTET_PROGRAM)
+  return()
+endif()
+install(TARGETS octet RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
 # The manual page says what --help does.
 add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/octet.1
   COMMAND ${CMAKE_COMMAND} -D OCTET=$<TARGET_FILE:octet> -D VERSION=${PROJECT_VERSION}

@@ -31,7 +31,7 @@ function(room)
   add_library(octet_${ROOM_NAME} STATIC ${ROOM_SOURCES} ${ROOM_HEADERS})
   add_library(octet::${ROOM_NAME} ALIAS octet_${ROOM_NAME})
   target_include_directories(octet_${ROOM_NAME} PUBLIC
-    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/octet>)
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/octet>)
   target_compile_features(octet_${ROOM_NAME} PUBLIC cxx_std_20)
   # No contraction: the same sources give the same bits with every compiler.
   target_compile_options(octet_${ROOM_NAME} PRIVATE -Wall -Wextra -Wpedantic -ffp-contract=off)
