@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "app/commands.h"
+#include "app/config_file.h"
 #include "app/console.h"
 #include "app/exit_code.h"
 #include "app/heap.h"
@@ -264,6 +265,36 @@ std::string meant_option(const CLI::App& app) {
   return {};
 }
 
+void refuse_repetitions(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    const bool once = option->get_multi_option_policy() == CLI::MultiOptionPolicy::Throw;
+    if (once && !option->get_positional() && option->count() > 1)
+      throw InputError(fmt::format("{} is given twice", option->get_name()));
+  }
+}
+
+/// The command line is parsed alone first: what it says goes before what files say, and it names the files.
+void parse(CLI::App& app, const std::vector<std::string>& words) {
+  const auto parse_words = [&app](std::vector<std::string> all) {
+    std::reverse(all.begin(), all.end());  // as the parser wants them
+    app.parse(std::move(all));
+  };
+  std::exception_ptr failure;
+  try {
+    parse_words(words);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) throw;
+    failure = std::current_exception();
+  }
+  const std::vector<CLI::App*> commands = app.get_subcommands();
+  if (!commands.empty()) {
+    refuse_repetitions(*commands.front());
+    const std::vector<std::string> all = with_config(*commands.front(), words);
+    if (all != words) return parse_words(all);
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
 int run(int argc, char** argv) {
   CLI::App app("Octet: CAD part in, classified tetrahedral mesh out", "octet");
   app.set_version_flag("--version", std::string("octet ") + OCTET_VERSION);
@@ -281,9 +312,7 @@ int run(int argc, char** argv) {
   add_quality(app, quality);
   add_improve(app, improve);
   try {
-    std::vector<std::string> words = with_config({argv + 1, argv + argc});
-    std::reverse(words.begin(), words.end());  // as the parser wants them
-    app.parse(std::move(words));
+    parse(app, {argv + 1, argv + argc});
   } catch (const Error& error) {
     return complain(error.what(), kExitBadInput);
   } catch (const CLI::ParseError& error) {

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The size options that several commands share, and the file they may stand in.
+// The size options that several commands share, --config among them.
 #pragma once
-
-#include <string>
-#include <vector>
 
 #include "app/size_words.h"
 
@@ -13,13 +10,7 @@ class App;
 
 namespace octet {
 
-/// Adds --size, --size-at, --curvature and the others to a command.
+/// Adds --size, --size-at, --curvature and the others to a command; and --config (app/config_file.h).
 void add_size_options(CLI::App& command, SizeWords& words);
-
-/// The command line with the contents of the files of --config put in before its own options, so that these
-/// prevail. A file is JSON or TOML: {"size": 2, "size-at": ["Face12=0.5"]}, in the words of the options
-/// without their dashes; "size-at" may also be an object, {"Face12": 0.5}. InputError when a file cannot be
-/// read; words that are no options are left for the parser to refuse.
-[[nodiscard]] std::vector<std::string> with_config(const std::vector<std::string>& arguments);
 
 }  // namespace octet

@@ -129,6 +129,15 @@ class Arrays(unittest.TestCase):
         with self.assertRaisesRegex(KeyError, "did you mean 'ends'"):
             box.nodes("endz")
 
+    def test_the_order_may_stand_in_a_file_of_options(self):
+        with tempfile.TemporaryDirectory() as folder:
+            options = os.path.join(folder, "options.json")
+            with open(options, "w", encoding="utf-8") as file:
+                file.write('{"order": 2, "size": 9}')
+            mesh = octet.mesh(model("box.step"), config=options)
+            self.assertEqual((mesh.order, mesh.report["size"]), (2, 9))
+            self.assertEqual(octet.mesh(model("box.step"), config=options, order=1).order, 1)
+
     def test_order_is_that_of_the_numbers_in_files(self):
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "a.inp")

@@ -110,7 +110,7 @@ def mesh(
     *,
     size_at=None,
     field=None,
-    order=1,
+    order=None,
     output=(),
     incomplete="raise",
     progress=None,
@@ -123,7 +123,7 @@ def mesh(
     size        edge length of the elements; None: from the part's own dimensions
     size_at     sizes at places: {"Face12": 0.5, "bore*": "/24", "ball:0,0,0,5": 1}; or a list of "PLACE=SIZE"
     field       sizes over space: (points, sizes), arrays of shape (n, 3) and (n,), or a path (CSV, MSH, VTU)
-    order       of the elements: 1 or 2
+    order       of the elements: 1 (what None means, unless a file of options says otherwise) or 2
     output      files to keep, too: .msh, .vtu, .inp, .unv, .bdf, .exo, .mesh, .meshb, .su2, .med, .xdmf,
                 .stl; a path or a list
     incomplete  "raise": a mesh that is not right everywhere raises IncompleteError, which has it;
