@@ -14,6 +14,7 @@
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "app/length_unit.h"
+#include "app/reading_options.h"
 #include "app/report_json.h"
 #include "app/summary.h"
 #include "geom/occt/read_part.h"
@@ -52,7 +53,7 @@ std::string hint_of_other_options(const Mesh& mesh, const Model& model) {
 int run_check(const CheckCommand& command) {
   const LengthUnit unit = length_unit(command.unit.empty() ? "mm" : command.unit);
   const Mesh mesh = read_mesh(command.mesh, unit.millimetres);
-  const Model model = read_part(command.part, command.reading);
+  const Model model = read_part(command.part, in_millimetres(command.reading, unit));
   const Acceptance acceptance = accept_as_meshed(mesh, model);
   const std::vector<Fault> beside = faults_of_part(model);
   const RunNames names{command.part.string(), command.mesh.string(), unit.name};

@@ -16,6 +16,7 @@
 #include "app/length_unit.h"
 #include "app/outline.h"
 #include "app/output_check.h"
+#include "app/reading_options.h"
 #include "app/report_json.h"
 #include "app/stage_clock.h"
 #include "app/summary.h"
@@ -58,7 +59,7 @@ int run_improve(const ImproveCommand& command) {
   const tbb::global_control most_threads(tbb::global_control::max_allowed_parallelism,
                                          static_cast<std::size_t>(options.threads));
   Mesh mesh = read_mesh(command.mesh, unit.millimetres);
-  const Model model = read_part(command.part, command.reading);
+  const Model model = read_part(command.part, in_millimetres(command.reading, unit));
   for (const std::string& note : model.notes()) console.note(note);
 
   const QualitySummary before = quality_summary(mesh);

@@ -12,6 +12,7 @@
 #include "app/info_json.h"
 #include "app/info_text.h"
 #include "app/own_frame.h"
+#include "app/reading_options.h"
 #include "app/scaled_sizes.h"
 #include "app/size_boxes.h"
 #include "app/size_table.h"
@@ -61,7 +62,7 @@ int run_info(const InfoCommand& command) {
   const LengthUnit unit = length_unit(command.unit.empty() ? "mm" : command.unit);
   std::vector<Vec3> places;
   for (const std::string& text : command.at) places.push_back(parse_place(text, unit.millimetres));
-  const Model model = read_part(command.part, command.reading);
+  const Model model = read_part(command.part, in_millimetres(command.reading, unit));
   if (command.show_sizes)
     print_sizes(command, model, unit);
   else

@@ -22,6 +22,7 @@
 #include "app/mesh_file.h"
 #include "app/outline.h"
 #include "app/output_check.h"
+#include "app/reading_options.h"
 #include "app/report_json.h"
 #include "app/stage_clock.h"
 #include "app/summary.h"
@@ -104,7 +105,7 @@ int mesh_to_file(const MeshCommand& command, const MeshOptions& options, const L
     own.large_mesh = large_mesh;
     return mesh_part(part, own, console);
   };
-  MeshedFile made = mesh_file(command.part, command.reading, mesh, console);
+  MeshedFile made = mesh_file(command.part, in_millimetres(command.reading, unit), mesh, console);
   const Model& model = made.model;
   MeshReport& report = made.result.report;
 

@@ -17,7 +17,7 @@ namespace octet {
 struct MeshCommand {
   std::filesystem::path part, report, dump_directory;
   std::vector<std::filesystem::path> outputs;  ///< at least one; the same mesh in each
-  ReadOptions reading;
+  ReadOptions reading;              ///< lengths in `unit`
   SizeWords sizes;                  ///< in `unit`
   std::vector<std::string> groups;  ///< NAME=PLACES; points in `unit`
   std::string unit;                 ///< empty: millimetre
@@ -32,9 +32,9 @@ struct MeshCommand {
 
 struct InfoCommand {
   std::filesystem::path part;
-  ReadOptions reading;
+  ReadOptions reading;  ///< lengths in `unit`
   SizeWords sizes;
-  std::string unit;  ///< of the sizes and places; empty: millimetre
+  std::string unit;  ///< of lengths that it takes; empty: millimetre
   bool json = false, entities = false;
   std::vector<std::string> at;       ///< places "x,y,z": what is there, instead of the part as text
   bool show_sizes = false;           ///< the size of each entity and why, instead of the part
@@ -43,8 +43,8 @@ struct InfoCommand {
 
 struct CheckCommand {
   std::filesystem::path mesh, part;
-  ReadOptions reading;
-  std::string unit;  ///< of the mesh file's coordinates; empty: millimetre
+  ReadOptions reading;  ///< lengths in `unit`
+  std::string unit;     ///< of the mesh file's coordinates; empty: millimetre
   bool json = false;
 };
 
@@ -59,7 +59,7 @@ struct QualityCommand {
 
 struct ImproveCommand {
   std::filesystem::path mesh, part, output, report;
-  ReadOptions reading;
+  ReadOptions reading;         ///< lengths in `unit`
   std::optional<double> size;  ///< wished for everywhere, in `unit`; none: as the mesh is
   std::string unit;            ///< of the mesh files' coordinates; empty: millimetre
   std::string format;          ///< empty: by the output's suffix

@@ -30,7 +30,7 @@ namespace {
 
 constexpr const char* kFooter =
     "Lengths on the command line and coordinates of mesh files are in --unit (default: mm);\n"
-    "what is printed is in mm and degrees.\n"
+    "what is printed, advice included, is in mm and degrees.\n"
     "\n"
     "Exit codes:\n"
     "  0  complete: the mesh was written (mesh) or read (check) and every claim about it holds\n"
@@ -181,6 +181,8 @@ void add_info(CLI::App& app, InfoCommand& info) {
       if (option->count() > 0 && sizes->count() == 0) throw CLI::RequiresError(option->get_name(), "--sizes");
     }
   });
+  sub.add_option("--unit", info.unit, std::string("Unit of the lengths that are given: ") + kUnitHelp)
+      ->type_name("UNIT");
   add_reading_options(sub, info.reading);
   sub.footer(kFooter);
 }

@@ -11,19 +11,18 @@ void add_reading_options(CLI::App& command, ReadOptions& reading) {
       "--no-fuse", [&reading] { reading.fuse = false; },
       "Keep solids that touch apart: they share no faces, and their meshes do not fit");
   command
-      .add_option(
-          "--fuse-tolerance", reading.fuse_tolerance,
-          "Solids that overlap, or miss each other, by no more than this distance in mm touch (default: "
-          "what rounding leaves, 1e-6 of their diagonal)")
-      ->type_name("DISTANCE")
+      .add_option("--fuse-tolerance", reading.fuse_tolerance,
+                  "Solids that overlap, or miss each other, by no more than this distance touch (default: "
+                  "what rounding leaves, 1e-6 of their diagonal)")
+      ->type_name("LENGTH")
       ->check(CLI::PositiveNumber)
       ->excludes(apart);
   command
       .add_option(
           "--sew", reading.sew_tolerance,
-          "Sew loose faces and open solids within this distance in mm (default: the least that closes them, "
+          "Sew loose faces and open solids within this distance (default: the least that closes them, "
           "up to 1e-4 of their diagonal)")
-      ->type_name("DISTANCE")
+      ->type_name("LENGTH")
       ->check(CLI::PositiveNumber);
   command.add_flag("--cap", reading.cap,
                    "Close openings of shells and open solids that lie in a plane by a plane face each, and "
@@ -38,7 +37,7 @@ void add_reading_options(CLI::App& command, ReadOptions& reading) {
   command
       .add_option(
           "--defeature", reading.smallest_feature,
-          "Take away edges shorter, and faces, spikes and slits narrower than this (mm) where the part "
+          "Take away edges shorter, and faces, spikes and slits narrower than this where the part "
           "stays closed and keeps its volume to a twentieth, and list them (default: what rounding leaves; "
           "if a mesh has faults, or only one of far too many elements might have none, also what is "
           "below the accuracy that the STEP file states, or far below the size)")
@@ -62,6 +61,12 @@ void add_reading_options(CLI::App& command, ReadOptions& reading) {
                                    "the machine's)")
       ->type_name("GB")
       ->check(CLI::Range(1e-3, 1e9));
+}
+
+ReadOptions in_millimetres(ReadOptions reading, const LengthUnit& unit) {
+  for (double* length : {&reading.fuse_tolerance, &reading.sew_tolerance, &reading.smallest_feature})
+    *length *= unit.millimetres;
+  return reading;
 }
 
 }  // namespace octet

@@ -6,6 +6,7 @@
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <TopoDS_Compound.hxx>
+#include <nlohmann/json.hpp>
 
 #include "app/exit_code.h"
 #include "io/write.h"
@@ -58,6 +59,24 @@ TEST(FuseCommand, VerticesThatWereMovedToJoinSolidsExplainWhatTheVolumesAreOff) 
     ASSERT_EQ(joined.exit_code, kExitComplete) << joined.out << joined.err;
     EXPECT_TRUE(regions_meet(mesh));
   }
+}
+
+TEST(FuseCommand, LengthsOfReadingAreInTheUnitOfTheCommandLine) {
+  const TemporaryDirectory out;
+  const std::string part = out.file("boxes.brep"), mesh = out.file("a.msh");
+  write_boxes(part);
+  const auto joined = run_octet({"mesh", part, "-o", mesh, "--fuse-tolerance", "20", "--unit", "um"});
+  ASSERT_EQ(joined.exit_code, kExitComplete) << joined.out << joined.err;
+  EXPECT_TRUE(regions_meet(mesh));
+  EXPECT_EQ(run_octet({"check", mesh, part, "--fuse-tolerance", "20", "--unit", "um"}).exit_code,
+            kExitComplete);
+  const auto faces = [&](const std::string& unit) {
+    const auto info = run_octet({"info", part, "--json", "--fuse-tolerance", "0.02", "--unit", unit});
+    EXPECT_EQ(info.exit_code, kExitComplete) << info.err;
+    return nlohmann::json::parse(info.out)["counts"]["faces"].get<int>();
+  };
+  EXPECT_EQ(faces("um"), 12);
+  EXPECT_EQ(faces("mm"), 11);
 }
 
 TEST(FuseCommand, SolidsCannotBeJoinedAndKeptApart) {
