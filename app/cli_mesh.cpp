@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <limits>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <thread>
@@ -24,6 +25,7 @@
 #include "app/output_check.h"
 #include "app/reading_options.h"
 #include "app/report_json.h"
+#include "app/same_part.h"
 #include "app/stage_clock.h"
 #include "app/summary.h"
 #include "io/output_file.h"
@@ -95,11 +97,24 @@ std::vector<GroupWords> group_words(const MeshCommand& command, const LengthUnit
   return words;
 }
 
+/// That of `octet adapt`. None where it cannot be read as a whole: a field by the tags of its elements needs
+/// less of it.
+std::optional<Mesh> solved_mesh(const fs::path& path, const LengthUnit& unit) {
+  if (path.empty()) return std::nullopt;
+  try {
+    return read_mesh(path, unit.millimetres);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
 int mesh_to_file(const MeshCommand& command, const MeshOptions& options, const LengthUnit& unit,
                  const RunNames& names, const std::vector<MeshFormat>& formats) {
   Console console(console_options(command));
   const std::vector<GroupWords> groups = group_words(command, unit);
+  const std::optional<Mesh> solved = solved_mesh(command.sizes.field_mesh, unit);
   const auto mesh = [&](const Model& part, LargeMesh large_mesh) {
+    if (solved) require_mesh_of(*solved, part);
     static_cast<void>(groups_of(part, groups));  // what is nowhere is told before the work
     MeshOptions own = options;
     own.large_mesh = large_mesh;

@@ -140,6 +140,33 @@ TEST(SizeCommand, AdaptGivesEachElementsPlaceTheSizeItWants) {
   EXPECT_NEAR(mean_near(after, Vec3(5, 10, 24), 8.0) / 4.0, 1.0, 0.3);
 }
 
+TEST(SizeCommand, AdaptRefusesAMeshOfAnotherPartAndTakesCoarseOnesOfThisOne) {
+  const TemporaryDirectory out;
+  write_bytes(out.file("a.csv"), "0,0,0,3\n10,10,10,3\n");
+  const auto adapt = [&](const std::string& mesh, const std::string& part,
+                         const std::vector<std::string>& more) {
+    std::vector<std::string> words{"adapt",           mesh,      model_file(part), "-o",
+                                   out.file("b.msh"), "--field", out.file("a.csv")};
+    words.insert(words.end(), more.begin(), more.end());
+    return run_octet(words);
+  };
+  const auto mesh = [&](const std::string& part, const std::string& size, const std::string& order) {
+    const ProgramRun run = run_octet(
+        {"mesh", model_file(part), "-o", out.file("a.msh"), "--size", size, "--order", order, "--uniform"});
+    EXPECT_NE(run.exit_code, kExitBadInput) << run.err;
+    return out.file("a.msh");
+  };
+  const ProgramRun other = adapt(mesh("l_domain.step", "2", "1"), "box.step", {});
+  EXPECT_EQ(other.exit_code, kExitBadInput);
+  EXPECT_NE(other.err.find("the mesh is none of this part"), std::string::npos) << other.err;
+  // In the same box, but with a hole of half its volume.
+  const ProgramRun hollow =
+      adapt(mesh("box_minus_ball.step", "0.5", "1"), "box_minus_ball.step", {"--unit", "inch"});
+  EXPECT_EQ(hollow.exit_code, kExitBadInput);
+  EXPECT_EQ(adapt(mesh("ball.step", "30", "1"), "ball.step", {}).exit_code, kExitComplete);
+  EXPECT_EQ(adapt(mesh("torus.step", "20", "2"), "torus.step", {}).exit_code, kExitComplete);
+}
+
 TEST(SizeCommand, AWrittenFieldGivesTheSameSizesAsAField) {
   const TemporaryDirectory out;
   const ProgramRun info = run_octet({"info", box(), "--sizes", "--json", "--size", "4", "--size-at",
