@@ -57,14 +57,16 @@ struct StageTime {
 
 struct MeshReport {
   MeshStatus status = MeshStatus::kIncomplete;
-  double size = 0.0;  ///< the size used
+  double size = 0.0;             ///< the size used
+  double target_elements = 0.0;  ///< asked for; 0: none
   /// A size at which most of the boundary had no mesh faces: the one used, or a larger one that was tried
   /// before; 0: none.
   double too_coarse = 0.0;
   double left_large = 0.0;  ///< elements of the mesh that was not made for LargeMesh::kNever; 0: none
   std::vector<Fault> faults;
   std::vector<Fault> warnings;  ///< what is a danger at this size though the mesh may be complete: wide gaps
-  SizeShortfall shortfall;      ///< where the part is finer than the size asked for
+  std::vector<std::string> notes;  ///< wishes without effect, or not met, and why
+  SizeShortfall shortfall;         ///< where the part is finer than the size asked for
   QualitySummary quality;
   Acceptance acceptance;
   double volume = 0.0, cad_volume = 0.0;

@@ -123,6 +123,7 @@ std::string mesh_report_json(const RunNames& names, const Model& model, const Me
   json["part_unit"] = model.unit();
   json["size"] = report.size;
   if (report.too_coarse > report.size) json["too_coarse_size"] = report.too_coarse;
+  if (report.target_elements > 0.0) json["target_elements"] = report.target_elements;
   json["diagonal"] = model.diagonal();
   json["nodes"] = report.nodes;
   json["tets"] = report.tets;
@@ -153,7 +154,8 @@ std::string mesh_report_json(const RunNames& names, const Model& model, const Me
                              {"seconds", time.seconds},
                              {"cpu_seconds", time.cpu_seconds},
                              {"peak_bytes", time.peak_bytes}});
-  json["notes"] = model.notes();
+  json["notes"] = report.notes;
+  for (const std::string& note : model.notes()) json["notes"].push_back(note);
   json["faults"] = faults_json(model, report.faults);
   json["warnings"] = faults_json(model, report.warnings);
   json["claims"] = claims_json(model, report.acceptance);

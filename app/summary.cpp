@@ -71,11 +71,12 @@ std::string contact_line(const Model& model) {
                      edges.empty() || vertices.empty() ? "" : ", and", vertices);
 }
 
-/// What reading changed in the part, or could not.
-std::string note_lines(const Model& model) {
+/// What became of the wishes, and what reading changed in the part, or could not.
+std::string note_lines(const Model& model, const MeshReport& report) {
   constexpr std::size_t kShownNotes = 6;
   const std::vector<std::string>& notes = model.notes();
   std::string text;
+  for (const std::string& note : report.notes) text += fmt::format("  {:<9}{}\n", "note", note);
   for (std::size_t i = 0; i < std::min(kShownNotes, notes.size()); ++i)
     text += fmt::format("  {:<9}{}\n", "note", notes[i]);
   if (notes.size() > kShownNotes)
@@ -160,7 +161,7 @@ std::string mesh_summary(const Model& model, const MeshReport& report) {
   text += distance_line(model, farthest_from_cad(report));
   text += contact_line(model);
   text += times_line(report.times);
-  text += note_lines(model);
+  text += note_lines(model, report);
   if (!report.warnings.empty())
     text += fmt::format(
         "  warnings {}: the part is open there by more than a twentieth of the size, or its boundary meets "

@@ -2,10 +2,13 @@
 // A secant search in the logarithms of size and count: counts go with a power of the size between -2 and -3.
 #include "app/target_elements.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -20,6 +23,7 @@ namespace {
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 constexpr double kCloseEnough = 0.125;
 constexpr double kSameOctants = 0.01;  // logarithms of scales that are nearer are not told apart
+constexpr int kMostMeshes = 10;
 /// By what the logarithm of an estimate may miss what is wanted.
 constexpr double kNearEstimate = 0.02;
 
@@ -43,11 +47,37 @@ std::optional<double> crossing(const std::vector<std::pair<double, double>>& tri
   return found;
 }
 
+struct Made {
+  double tets;
+  bool complete;
+};
+
+/// That a mesh misses the target, and why as far as all that were made tell.
+std::string note_of_miss(const Model& model, const MeshReport& report, const std::vector<Made>& made) {
+  const auto off = [&](double tets) { return std::abs(std::log(tets / report.target_elements)); };
+  double above = kUnbounded, below = 0.0;  // of complete ones, next to the target
+  double faulty = static_cast<double>(std::max<std::size_t>(report.tets, 1));
+  const double own = off(faulty);
+  for (const Made& one : made) {
+    if (!one.complete && off(one.tets) < off(faulty)) faulty = one.tets;
+    if (one.complete && one.tets < report.target_elements) below = std::max(below, one.tets);
+    if (one.complete && one.tets >= report.target_elements) above = std::min(above, one.tets);
+  }
+  std::string why = "no nearer number was found";
+  if (off(faulty) < own)
+    why = fmt::format("that of {:.0f}, which is the nearest, has faults", faulty);
+  else if (below > 0.0 && above < kUnbounded)
+    why = fmt::format("found were {:.0f} and {:.0f}, for numbers jump where octants halve", below, above);
+  else if (below == 0.0 && report.size > model.diagonal())
+    why = "the part's own features ask for so many, however large the size";
+  return fmt::format("{:.6g} tetrahedra were asked for, the mesh has {}: {}", report.target_elements,
+                     report.tets, why);
+}
+
 }  // namespace
 
 MeshResult mesh_to_target(const Model& model, const MeshOptions& options,
                           const std::function<MeshResult(const MeshOptions&)>& mesh, SizeMemo* memo) {
-  constexpr int kMostMeshes = 10;
   const double target = options.target_elements;
   const MeshOptions whole = with_default_size(model, options, memo);
   // A guess by volume first, so that no tree is far too large.
@@ -65,10 +95,12 @@ MeshResult mesh_to_target(const Model& model, const MeshOptions& options,
   };
   const auto sizes = [&](double log_scale) { return scaled_sizes(model, whole, std::exp(log_scale)); };
   const auto planned = [&](double log_scale) { return plan_sizes(model, sizes(log_scale), memo); };
+  std::vector<Made> made;
   for (int i = 0; i < kMostMeshes; ++i) {
     if (!crossing(tried)) x = log_scale_for(model, planned, std::log(target) - correction, x, kNearEstimate);
     MeshResult result = mesh(sizes(x));
     const double count = static_cast<double>(std::max<std::size_t>(result.report.tets, 1));
+    if (result.report.tets > 0) made.push_back({count, result.report.status == MeshStatus::kComplete});
     if (!best || miss(result) < miss(*best)) best = std::move(result);
     if (miss(*best) < std::pair(false, kCloseEnough)) break;
     correction = std::log(count / estimated_elements(model, planned(x)));
@@ -84,6 +116,9 @@ MeshResult mesh_to_target(const Model& model, const MeshOptions& options,
     }
     if (const auto between = crossing(tried)) x = *between;
   }
+  best->report.target_elements = target;
+  if (miss(*best).second > kCloseEnough)
+    best->report.notes.push_back(note_of_miss(model, best->report, made));
   return *std::move(best);
 }
 

@@ -10,7 +10,8 @@ namespace octet {
 
 /// Meshes with sizes scaled so that the tetrahedra are within an eighth of options.target_elements, as far as
 /// that can be had (where small features decide, counts jump as octants halve): octrees alone are tried
-/// first, at a small share of a mesh's cost, and at most eight meshes are made. The nearest one is returned.
+/// first, at a small share of a mesh's cost, and at most ten meshes are made. The nearest one is returned,
+/// with a note in its report where it is farther off than that.
 /// `mesh` runs without a target. `memo`, where given: what the plans know of the part, for `mesh` to use as
 /// well.
 [[nodiscard]] MeshResult mesh_to_target(const Model& model, const MeshOptions& options,
