@@ -20,6 +20,7 @@
 #include "app/report_json.h"
 #include "app/stage_clock.h"
 #include "app/summary.h"
+#include "app/usable_threads.h"
 #include "base/error.h"
 #include "geom/occt/read_part.h"
 #include "io/output_file.h"
@@ -57,7 +58,7 @@ int run_improve(const ImproveCommand& command) {
   console_options.notes = command.verbose;
   Console console(console_options);
   const tbb::global_control most_threads(tbb::global_control::max_allowed_parallelism,
-                                         static_cast<std::size_t>(options.threads));
+                                         static_cast<std::size_t>(usable_threads(options.threads)));
   Mesh mesh = read_mesh(command.mesh, unit.millimetres);
   const Model model = read_part(command.part, in_millimetres(command.reading, unit));
   for (const std::string& note : model.notes()) console.note(note);

@@ -28,6 +28,7 @@
 #include "app/same_part.h"
 #include "app/stage_clock.h"
 #include "app/summary.h"
+#include "app/usable_threads.h"
 #include "io/output_file.h"
 #include "io/write.h"
 
@@ -157,7 +158,7 @@ int run_mesh(const MeshCommand& command) {
   }
   check_outputs(command, formats);
   const tbb::global_control most_threads(tbb::global_control::max_allowed_parallelism,
-                                         static_cast<std::size_t>(options.threads));
+                                         static_cast<std::size_t>(usable_threads(options.threads)));
   RunNames names{command.part.string(), command.outputs.front().string(), unit.name};
   for (auto copy = command.outputs.begin() + 1; copy != command.outputs.end(); ++copy)
     names.copies.push_back(copy->string());

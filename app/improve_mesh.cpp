@@ -12,6 +12,7 @@
 #include "app/measures.h"
 #include "app/second_order.h"
 #include "app/stage_clock.h"
+#include "app/usable_threads.h"
 #include "finalize/finalize.h"
 #include "mesh/local_size.h"
 #include "mesh/size_lookup.h"
@@ -91,14 +92,12 @@ void release_seams(Mesh& mesh, const Model& model) {
 }
 
 MeshResult improve_mesh(Mesh mesh, const Model& model, const ImproveOptions& options, Observer& observer) {
-  if (options.threads < 1)
-    throw InputError(fmt::format("the number of threads must be at least 1, not {}", options.threads));
   if (!std::isfinite(options.size) || options.size < 0.0)
     throw InputError(fmt::format("the size must be a positive number, not {}", options.size));
   if (options.order < 0 || options.order > 2)
     throw InputError(fmt::format("the order of elements must be 1 or 2, not {}", options.order));
   MeshResult result;
-  tbb::task_arena arena(options.threads);
+  tbb::task_arena arena(usable_threads(options.threads));
   arena.execute([&] { result = improve(std::move(mesh), model, options, observer); });
   return result;
 }

@@ -8,7 +8,7 @@ namespace octet {
 
 struct ImproveOptions {
   double size = 0.0;  ///< edge length wished for everywhere (millimetre); 0: as the mesh is around each place
-  int threads = 1;    ///< same bytes for any number
+  int threads = 1;    ///< as MeshOptions::threads
   int order = 0;      ///< of the elements; 0: as they are
 };
 

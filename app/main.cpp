@@ -98,7 +98,8 @@ void add_meshing(CLI::App& sub, MeshCommand& mesh) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   sub.add_option("--unit", mesh.unit, kUnitHelp)->type_name("UNIT");
   sub.add_option("--format", mesh.format, mesh_format_names() + " (default: by suffix)")->type_name("FORMAT");
-  sub.add_option("--threads", mesh.threads, "Threads; any number gives the same bytes (default: all cores)")
+  sub.add_option("--threads", mesh.threads,
+                 "Threads, no more than cores; any number gives the same bytes (default: all cores)")
       ->type_name("N");
   sub.add_option("--max-elements", mesh.max_elements, "Refuse what needs more elements (default: 20000000)")
       ->type_name("N");
@@ -233,7 +234,7 @@ void add_improve(CLI::App& app, ImproveCommand& improve) {
       ->type_name("FORMAT");
   add_order(sub, improve.order, "the mesh's");
   sub.add_option("--threads", improve.threads,
-                 "Threads; any number gives the same bytes (default: all cores)")
+                 "Threads, no more than cores; any number gives the same bytes (default: all cores)")
       ->type_name("N");
   sub.add_option("--report", improve.report, "Write a report as JSON")->type_name("FILE");
   CLI::Option* quiet = sub.add_flag("--quiet,-q", improve.quiet, "Print nothing but errors");

@@ -6,11 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
-#include <span>
 #include <utility>
 
 #include "app/apart.h"
@@ -26,6 +24,7 @@
 #include "app/size_shortfall.h"
 #include "app/stage_clock.h"
 #include "app/target_elements.h"
+#include "app/usable_threads.h"
 #include "classify/extract.h"
 #include "finalize/finalize.h"
 #include "geom/face_crossings.h"
@@ -560,15 +559,13 @@ void add_rest(StageTime rest, int makings, std::vector<StageTime>& times) {
 }  // namespace
 
 MeshResult mesh_part(const Model& model, const MeshOptions& options, Observer& observer) {
-  if (options.threads < 1)
-    throw InputError(fmt::format("the number of threads must be at least 1, not {}", options.threads));
   if (options.order != 1 && options.order != 2)
     throw InputError(fmt::format("the order of elements must be 1 or 2, not {}", options.order));
   const bool apart = is_meshed_apart(model);
   MeshResult result;
   int makings = 0;
   StageClock clock;
-  tbb::task_arena arena(options.threads);
+  tbb::task_arena arena(usable_threads(options.threads));
   MeshOptions watched = options;
   watched.cancelled = [&observer] { return observer.cancelled(); };
   arena.execute([&] {
