@@ -15,6 +15,7 @@
 #include "app/reading_options.h"
 #include "app/scaled_sizes.h"
 #include "app/size_boxes.h"
+#include "app/size_notes.h"
 #include "app/size_table.h"
 #include "geom/occt/read_part.h"
 #include "geom/size_memo.h"
@@ -36,8 +37,9 @@ void print_sizes(const InfoCommand& command, const Model& model, const LengthUni
     frame.to_part(boxes.points);
     write_size_field(command.size_field, boxes, 1.0 / unit.millimetres);
   }
-  fmt::print("{}", command.json ? size_table_json(name, frame.model(), plan)
-                                : size_table(name, frame.model(), plan));
+  const std::vector<std::string> notes = size_notes(model, options);
+  fmt::print("{}", command.json ? size_table_json(name, frame.model(), plan, notes)
+                                : size_table(name, frame.model(), plan, notes));
 }
 
 void print_part(const InfoCommand& command, const Model& model, const std::vector<Vec3>& places) {

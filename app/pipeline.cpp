@@ -21,6 +21,7 @@
 #include "app/octant_sizes.h"
 #include "app/own_frame.h"
 #include "app/second_order.h"
+#include "app/size_notes.h"
 #include "app/size_shortfall.h"
 #include "app/stage_clock.h"
 #include "app/target_elements.h"
@@ -583,6 +584,7 @@ MeshResult mesh_part(const Model& model, const MeshOptions& options, Observer& o
   });
   if (options.order == 2) arena.execute([&] { raise_order(result, model, observer); });
   MeshReport& report = result.report;
+  add_size_notes(model, options, observer, report);
   add_rest(beside_stages(clock.lap({}), report.times), makings, report.times);
   report.faults.insert(report.faults.begin(), model.parts().faults.begin(), model.parts().faults.end());
   if (!report.faults.empty()) report.status = MeshStatus::kIncomplete;

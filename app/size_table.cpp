@@ -63,7 +63,8 @@ std::map<ModelRef, EntitySize> entity_sizes(const SizePlan& plan) {
 
 }  // namespace
 
-std::string size_table(const std::string& part, const Model& model, const SizePlan& plan) {
+std::string size_table(const std::string& part, const Model& model, const SizePlan& plan,
+                       const std::vector<std::string>& notes) {
   const double elements = estimated_elements(model, planned_octree(model, plan));
   const double digit = std::pow(10.0, std::floor(std::log10(std::max(elements, 10.0))) - 1.0);
   std::string text = fmt::format(
@@ -75,10 +76,12 @@ std::string size_table(const std::string& part, const Model& model, const SizePl
     text += fmt::format("    {:<24} {:>10.4g} mm {:>10.4g} mm  {}\n", model.describe(entity), size.size,
                         size.gets, reason_name(size.why));
   if (plan.field) text += "    and shapes or fields over space\n";
+  for (const std::string& note : notes) text += fmt::format("  note     {}\n", note);
   return text;
 }
 
-std::string size_table_json(const std::string& part, const Model& model, const SizePlan& plan) {
+std::string size_table_json(const std::string& part, const Model& model, const SizePlan& plan,
+                            const std::vector<std::string>& notes) {
   nlohmann::ordered_json json{{"part", part}, {"size", plan.asked}, {"min_size", plan.min_size}};
   json["estimated_elements"] = estimated_elements(model, planned_octree(model, plan));
   json["entities"] = nlohmann::ordered_json::array();
@@ -89,6 +92,7 @@ std::string size_table_json(const std::string& part, const Model& model, const S
                                 {"size", size.size},
                                 {"gets", size.gets},
                                 {"why", reason_name(size.why)}});
+  json["notes"] = notes;
   return json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 

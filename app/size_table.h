@@ -3,14 +3,18 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "geom/size_plan.h"
 
 namespace octet {
 
-/// One line per entity that is finer than the rest, for people. Lengths in millimetre.
-[[nodiscard]] std::string size_table(const std::string& part, const Model& model, const SizePlan& plan);
+/// One line per entity that is finer than the rest, for people; and the notes (app/size_notes.h). Lengths in
+/// millimetre.
+[[nodiscard]] std::string size_table(const std::string& part, const Model& model, const SizePlan& plan,
+                                     const std::vector<std::string>& notes);
 /// The same as JSON.
-[[nodiscard]] std::string size_table_json(const std::string& part, const Model& model, const SizePlan& plan);
+[[nodiscard]] std::string size_table_json(const std::string& part, const Model& model, const SizePlan& plan,
+                                          const std::vector<std::string>& notes);
 
 }  // namespace octet

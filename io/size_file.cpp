@@ -241,6 +241,8 @@ Background read_size_file(const std::filesystem::path& path, const std::filesyst
     const std::vector<double>& sizes = field.tet_size.empty() ? field.point_size : field.tet_size;
     if (std::none_of(sizes.begin(), sizes.end(), [](double s) { return s > 0.0 && std::isfinite(s); }))
       throw InputError("it has no positive size");
+    for (const Vec3& p : field.points)
+      if (!p.allFinite()) throw InputError(fmt::format("({}, {}, {}) is no place", p.x(), p.y(), p.z()));
     return field;
   } catch (const InputError& error) {
     throw InputError(fmt::format("cannot read sizes from \"{}\": {}", path.string(), error.what()));

@@ -18,7 +18,7 @@ namespace octet {
 /// its cells or points; where it has no tetrahedra, it is a cloud of its points, or of its cells' middles. Of
 /// several views or arrays the one called "size" counts.
 ///
-/// InputError when there is nothing of that kind, or no positive size.
+/// InputError when there is nothing of that kind, no positive size, or a place that is not finite.
 [[nodiscard]] Background read_size_file(const std::filesystem::path& path,
                                         const std::filesystem::path& mesh = {});
 

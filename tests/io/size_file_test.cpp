@@ -213,6 +213,11 @@ TEST_F(SizeFile, ViewsOfElementsNodesAndTheirNodesAreRead) {
             (std::vector<double>{0, 0.5, 0, 0.25, 0}));
 }
 
+TEST_F(SizeFile, PlacesAreFinite) {
+  EXPECT_NE(refusal("0,0,0,1\n0,nan,0,1\n").find("is no place"), std::string::npos);
+  EXPECT_NE(refusal("0,0,0,1\ninf,0,0,1\n").find("is no place"), std::string::npos);
+}
+
 TEST_F(SizeFile, OfSeveralViewsTheOneCalledSizeCounts) {
   const std::string error = view("ElementData", "error", "7 3\n9 4\n");
   EXPECT_EQ(read(kMesh + error + view("ElementData", "size", "7 1\n9 2\n")).tet_size,
