@@ -11,6 +11,7 @@
 #include "app/exit_code.h"
 #include "app/info_json.h"
 #include "app/info_text.h"
+#include "app/output_check.h"
 #include "app/own_frame.h"
 #include "app/reading_options.h"
 #include "app/scaled_sizes.h"
@@ -61,6 +62,12 @@ void print_part(const InfoCommand& command, const Model& model, const std::vecto
 }  // namespace
 
 int run_info(const InfoCommand& command) {
+  if (!command.size_field.empty()) {
+    if (command.size_field.extension() != ".vtu")
+      throw InputError(
+          fmt::format("--write-field writes VTU: \"{}\" must end in .vtu", command.size_field.string()));
+    check_writable(command.size_field);
+  }
   const LengthUnit unit = length_unit(command.unit.empty() ? "mm" : command.unit);
   std::vector<Vec3> places;
   for (const std::string& text : command.at) places.push_back(parse_place(text, unit.millimetres));

@@ -6,9 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <cstdio>
-#include <limits>
 #include <optional>
 #include <string>
 #include <system_error>
@@ -17,6 +15,7 @@
 
 #include "app/commands.h"
 #include "app/console.h"
+#include "app/element_estimate.h"
 #include "app/entity_groups.h"
 #include "app/exit_code.h"
 #include "app/length_unit.h"
@@ -40,8 +39,9 @@ namespace fs = std::filesystem;
 std::size_t element_limit(double value) {
   if (!std::isfinite(value) || value < 1.0)
     throw InputError(fmt::format("--max-elements must be at least 1, not {}", value));
-  constexpr double kMost = std::numeric_limits<std::uint32_t>::max();  // node and element ids are 4 bytes
-  return static_cast<std::size_t>(std::min(value, kMost));
+  if (value > static_cast<double>(kMostElements))
+    throw InputError(fmt::format("--max-elements may be {} at most, not {}", kMostElements, value));
+  return static_cast<std::size_t>(value);
 }
 
 MeshOptions mesh_options(const MeshCommand& command, const LengthUnit& unit) {

@@ -79,7 +79,7 @@ std::string worst_text(const QualityTable& table) {
 std::string quality_text(const std::string& name, const QualityTable& table) {
   std::string text = fmt::format("{}: {} tetrahedra\n{}", name, table.tets, table_text(table.all));
   text += row(table.edges);
-  if (table.limited > 0) {
+  if (table.limited > 0 && table.limited < table.tets) {
     text += fmt::format("\n  without the {} elements at sharp angles and walls thinner than one element\n{}",
                         table.limited, table_text(table.free));
   }

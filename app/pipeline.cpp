@@ -13,6 +13,7 @@
 
 #include "app/apart.h"
 #include "app/attempt.h"
+#include "app/element_estimate.h"
 #include "app/geometry_faults.h"
 #include "app/held_boundary.h"
 #include "app/leave_out.h"
@@ -149,8 +150,8 @@ class Run {
     if (options_.attributes.empty() && elements > static_cast<double>(options_.max_elements))
       throw LimitError(
           fmt::format("size {:.6g} mm needs about {:.2g} elements, more than the limit of {}; "
-                      "ask for a larger size or raise --max-elements",
-                      h, elements, options_.max_elements));
+                      "ask for a larger size{}",
+                      h, elements, options_.max_elements, or_raise(options_.max_elements)));
     plan_ = plan_sizes(model_, options_, &memo_);
     result_.report.size = plan_.asked;
     for (const WideGap& gap : wide_gaps(part_, plan_.asked))
@@ -321,8 +322,8 @@ class Run {
     if (0.8 * elements > static_cast<double>(options_.max_elements))
       throw LimitError(fmt::format(
           "size {:.6g} mm, with the part's small features, needs about {:.2g} elements, more than the limit "
-          "of {}; ask for a larger size, set --min-size, or raise --max-elements",
-          plan_.asked, elements, options_.max_elements));
+          "of {}; ask for a larger size, set --min-size{}",
+          plan_.asked, elements, options_.max_elements, or_raise(options_.max_elements)));
   }
 
   void extract() {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "base/error.h"
 #include "geom/number_list.h"
@@ -18,7 +19,9 @@ namespace {
 
 using Where = SizeAttribute::Where;
 
-constexpr std::array<std::string_view, 4> kKind{"vertex", "edge", "face", "region"};
+/// Words for entities, and their dimensions.
+constexpr std::array<std::pair<std::string_view, int>, 5> kKinds{
+    {{"vertex", 0}, {"edge", 1}, {"face", 2}, {"region", 3}, {"solid", 3}}};
 
 [[noreturn]] void refuse(std::string_view text, std::string_view why) {
   std::string message = "size attribute \"";
@@ -109,7 +112,7 @@ bool read_range(std::string_view text, Where where, SizeAttribute& attribute) {
   return true;
 }
 
-/// What follows the word Face, Edge, Vertex or Region.
+/// What follows the word Face, Edge, Vertex, Region or Solid.
 bool read_entities(std::string_view rest, double unit, SizeAttribute& attribute) {
   if (rest.empty()) return false;
   if (rest.front() == ':' || rest.front() == '#') {
@@ -130,8 +133,7 @@ bool read_entities(std::string_view rest, double unit, SizeAttribute& attribute)
 bool read_selector(std::string_view selector, double unit, SizeAttribute& attribute) {
   if (read_shape(selector, unit, attribute)) return true;
   const std::string low = lower(selector);
-  for (int dim = 0; dim < 4; ++dim) {
-    const std::string_view kind = kKind[static_cast<std::size_t>(dim)];
+  for (const auto& [kind, dim] : kKinds) {
     if (low.rfind(kind, 0) != 0) continue;
     attribute.dim = dim;
     if (read_entities(selector.substr(kind.size()), unit, attribute)) return true;

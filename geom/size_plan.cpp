@@ -235,7 +235,7 @@ class Planner {
 }  // namespace
 
 double global_size(const Model& model, const SizeControl& control) {
-  const double size = control.size > 0.0 ? control.size : default_size(model);
+  const double size = control.size > 0.0 ? control.size : std::max(default_size(model), control.min_size);
   return control.max_size > 0.0 ? std::min(size, control.max_size) : size;
 }
 

@@ -59,7 +59,7 @@ struct SizePlan {
 /// estimates: walls are measured once. Requires scale >= 1.
 [[nodiscard]] SizePlan coarsened(SizePlan plan, double scale);
 
-/// The size of the control, or the default for the part, within the largest size.
+/// The size of the control, or the default for the part and no less than the least; within the largest size.
 [[nodiscard]] double global_size(const Model& model, const SizeControl& control);
 
 }  // namespace octet

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The entities that a size attribute names.
 #include <algorithm>
+#include <cctype>
+#include <cmath>
 #include <limits>
 #include <string>
 
@@ -102,6 +104,39 @@ std::vector<ModelRef> became(const Model& model, const SizeAttribute& attribute)
 
 bool is_by_number(Where where) { return where == Where::kNumbers || where == Where::kAsRead; }
 
+/// Whether a place is well formed and, where it is one of entities, there are such.
+bool is_place(const Model& model, const std::string& place) {
+  try {
+    const SizeAttribute wish = parse_size_attribute(place + "=1");
+    if (is_shape(wish.where)) return true;
+    if (wish.dim < 0) return false;
+    if (wish.where == Where::kNumbers) return wish.last <= model.count(wish.dim);
+    for (int tag = 1; tag <= model.count(wish.dim); ++tag)
+      if (matches(model, wish, {wish.dim, tag})) return true;
+  } catch (const InputError&) {
+  }
+  return false;
+}
+
+/// Places that begin with another word, or with a colon behind the word.
+void add_places_like(const Model& model, const std::string& place, std::vector<std::string>& places) {
+  const std::size_t rest = std::min(place.find_first_of("0123456789:*"), place.size());
+  const bool colon = rest < place.size() && place[rest] == '*';
+  for (const char* word : {"Vertex", "Edge", "Face", "Region", "box", "ball", "cylinder"}) {
+    const std::string like = word + std::string(colon ? ":" : "") + place.substr(rest);
+    if (is_place(model, like)) places.push_back(like);
+  }
+}
+
+/// How numbers are written, for a place that has some but not so.
+std::string forms_of_numbers(const std::string& place) {
+  const std::size_t digit = place.find_first_of("0123456789"), comma = place.find(',');
+  if (digit == std::string::npos || comma == std::string::npos) return {};
+  const bool of_entities = digit > 0 && std::isalpha(static_cast<unsigned char>(place[digit - 1])) != 0;
+  return of_entities ? " (a place has one number or a range: Face3, Face3-7)"
+                     : " (shapes are box:x,y,z,x,y,z, ball:x,y,z,r and cylinder:x,y,z,x,y,z,r)";
+}
+
 /// What may have been meant, for an attribute that names nothing.
 std::string meant(const Model& model, const SizeAttribute& attribute) {
   std::vector<std::string> known;
@@ -109,13 +144,13 @@ std::string meant(const Model& model, const SizeAttribute& attribute) {
     for (int tag = 1; (attribute.dim < 0 || dim == attribute.dim) && tag <= model.count(dim); ++tag)
       known.push_back(attribute.where == Where::kColour ? model.face(tag).colour
                                                         : name_of(model, {dim, tag}));
-  const std::size_t rest = attribute.pattern.find_first_of("0123456789:");
-  if (attribute.dim < 0 && rest != std::string::npos)
-    for (const char* kind : {"Vertex", "Edge", "Face", "Region", "box", "ball", "cylinder"})
-      known.push_back(std::string(kind).append(attribute.pattern, rest));
+  if (attribute.dim < 0) add_places_like(model, attribute.pattern, known);
   std::string text = "; octet info --entities lists what it has";
   const std::string close = closest_word(attribute.pattern, known);
-  if (!close.empty()) text.append(" (did you mean \"").append(close).append("\"?)");
+  if (!close.empty())
+    text.append(" (did you mean \"").append(close).append("\"?)");
+  else if (attribute.dim < 0)
+    text.append(forms_of_numbers(attribute.pattern));
   if (is_by_number(attribute.where))
     text.append(" (its numbers end at ").append(std::to_string(last_number(model, attribute))).append(")");
   return text;

@@ -18,15 +18,24 @@ constexpr std::size_t kBufferSize = std::size_t{1} << 20;
 constexpr std::size_t kLarge = std::size_t{1} << 16;
 constexpr int kNamesTried = 1000;
 
+/// What links lead to, whether it is there or not.
+std::filesystem::path end_of_links(std::filesystem::path path) {
+  constexpr int kMostLinks = 40;  // as Linux follows
+  std::error_code error;
+  for (int i = 0; i < kMostLinks && std::filesystem::is_symlink(path, error); ++i) {
+    const auto next = std::filesystem::read_symlink(path, error);
+    if (error) break;
+    path = path.parent_path() / next;
+  }
+  return path;
+}
+
 }  // namespace
 
 OutputFile::OutputFile(const std::filesystem::path& target) : named_(target), target_(target) {
   if (target.empty()) throw OutputError("no output path is given");
   std::error_code error;
-  if (std::filesystem::is_symlink(target_, error)) {
-    const auto resolved = std::filesystem::weakly_canonical(target_, error);
-    if (!error) target_ = resolved;
-  }
+  target_ = end_of_links(target_);
   const auto status = std::filesystem::status(target_, error);
   if (std::filesystem::is_directory(status)) fail("it is a directory", 0);
   buffer_.reserve(kBufferSize);

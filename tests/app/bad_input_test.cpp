@@ -105,7 +105,17 @@ TEST(BadSize, MinSizeAboveSizeIsRefused) {
 }
 TEST(BadSize, MoreElementsThanAllowedAreRefusedBeforeTheyAreMade) {
   expect_bad_options({"--size", "0.001"}, "--max-elements");
-  expect_bad_options({"--max-elements", "10"}, "--max-elements");
+  expect_bad_options({"--max-elements", "10"}, "raise --max-elements");
+  expect_bad_options({"--max-elements", "1e11"}, "--max-elements may be 4294967295 at most");
+}
+
+TEST(BadSize, ALimitThatCannotBeRaisedIsNotSaidToBe) {
+  const TemporaryDirectory out;
+  const ProgramRun run = run_octet({"mesh", model_file("box.step"), "-o", out.file("a.msh"), "--size", "1e-3",
+                                    "--max-elements", "4294967295"});
+  EXPECT_EQ(run.exit_code, kExitBadInput);
+  EXPECT_NE(run.err.find("ask for a larger size"), std::string::npos) << run.err;
+  EXPECT_EQ(run.err.find("raise"), std::string::npos) << run.err;
 }
 
 TEST(BadUse, UnknownUnitFormatAndOptionAreRefused) {
@@ -119,7 +129,8 @@ TEST(BadUse, UnknownUnitFormatAndOptionAreRefused) {
 
 TEST(BadUse, ReadingBeyondItsLimitsIsRefusedAndNamesTheLimit) {
   expect_bad_options({"--read-time-limit", "0.001"}, "took too long: the limit for reading is 0.001 s");
-  expect_bad_options({"--read-memory-limit", "0.001"}, "needs too much memory: the limit for reading is 0.001 GB");
+  expect_bad_options({"--read-memory-limit", "0.001"},
+                     "needs too much memory: the limit for reading is 0.001 GB");
   expect_bad_options({"--read-time-limit", "-1"}, "--read-time-limit");
 }
 

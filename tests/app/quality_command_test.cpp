@@ -75,6 +75,18 @@ TEST_F(QualityCommand, TextShowsTableHistogramsAndTheWorst) {
     EXPECT_NE(run.out.find(word), std::string::npos) << word << " in " << run.out;
 }
 
+TEST_F(QualityCommand, WithoutElementsThatThePartDoesNotLimitThereIsNoSecondTable) {
+  const std::string coarse = out_.file("coarse.msh");
+  ASSERT_EQ(run_octet({"mesh", model_file("plate_with_hole.step"), "-o", coarse, "--size", "40", "--uniform"})
+                .exit_code,
+            kExitComplete);
+  const auto told = [&](const std::string& size) {
+    return run_octet({"quality", coarse, "--size", size}).out;
+  };
+  EXPECT_NE(told("3").find("mean ratio"), std::string::npos);
+  EXPECT_EQ(told("1000").find("without the"), std::string::npos) << told("1000");
+}
+
 TEST_F(QualityCommand, BadInputIsOneLine) {
   for (const std::vector<std::string>& arguments :
        {std::vector<std::string>{"quality", out_.file("none.msh")},

@@ -188,6 +188,10 @@ TEST(SizeCommand, InfoTakesSizesOnlyToTellOfThem) {
   EXPECT_NE(run.err.find("--size requires --sizes"), std::string::npos) << run.err;
   const TemporaryDirectory out;
   EXPECT_EQ(run_octet({"info", box(), "--write-field", out.file("b.vtu")}).exit_code, kExitBadInput);
+  const ProgramRun other = run_octet({"info", box(), "--sizes", "--write-field", out.file("b.csv")});
+  EXPECT_EQ(other.exit_code, kExitBadInput);
+  EXPECT_NE(other.err.find("must end in .vtu"), std::string::npos) << other.err;
+  EXPECT_TRUE(out.names().empty());
 }
 
 TEST(SizeCommand, TargetElementsAreMetWithinFifteenPercent) {

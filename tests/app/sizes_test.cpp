@@ -41,6 +41,13 @@ MeshResult complete(const Model& model, const MeshOptions& options) {
   return result;
 }
 
+TEST(Sizes, TheSizeToldIsNoSmallerThanTheSmallest) {
+  const Model model = analytic_box(Vec3(1, 2, 3));
+  MeshOptions options;
+  options.min_size = 0.8;
+  EXPECT_EQ(mesh_part(model, options).report.size, 0.8);
+}
+
 TEST(Sizes, MeanEdgeLengthIsTheSizeAskedFor) {
   const auto ratio = [](const Model& model, double size) {
     const Mesh mesh = complete(model, uniform(size)).mesh;

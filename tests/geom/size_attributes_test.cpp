@@ -100,6 +100,36 @@ TEST(SizeAttributes, SelectWhatThePartHas) {
     EXPECT_THROW((void)tags(box, text), InputError) << text;
 }
 
+TEST(SizeAttributes, SolidsAreRegions) {
+  const Model boxes = analytic_two_boxes(Vec3(1, 2, 3));
+  EXPECT_EQ(tags(boxes, "Solid2=1"), std::vector<int>{2});
+  EXPECT_EQ(tags(boxes, "solid:*=1"), (std::vector<int>{1, 2}));
+  EXPECT_EQ(parse_size_attribute("Solid%1=1").dim, 3);
+}
+
+TEST(SizeAttributes, SuggestionsAreCloseAndMeanSomething) {
+  const Model box = analytic_box(Vec3(1, 2, 3));
+  const auto refusal = [&](const std::string& text) -> std::string {
+    try {
+      (void)tags(box, text);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return {};
+  };
+  const auto says = [&](const std::string& text, const std::string& what) {
+    EXPECT_NE(refusal(text).find(what), std::string::npos) << refusal(text);
+  };
+  says("Fase3=1", "did you mean \"Face3\"?");
+  says("bal:0,0,0,3=1", "did you mean \"ball:0,0,0,3\"?");
+  says("Face*=1", "did you mean \"Face:*\"?");
+  says("Face1,2,3=2", "one number or a range");
+  says("sphere:0,0,0,5=1", "shapes are box:");
+  says("0,0,0,5=1", "shapes are box:");
+  for (const char* text : {"Face1,2,3=2", "sphere:0,0,0,5=1", "0,0,0,5=1", "Fase900=1"})
+    EXPECT_EQ(refusal(text).find("did you mean"), std::string::npos) << refusal(text);
+}
+
 TEST(TextPattern, StarsAndQuestionMarks) {
   EXPECT_TRUE(matches_pattern("bore 12", "bore*"));
   EXPECT_TRUE(matches_pattern("bore 12", "*1?"));

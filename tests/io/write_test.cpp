@@ -357,6 +357,16 @@ TEST_F(Write, ALinkIsFollowed) {
   EXPECT_EQ(read_mesh(directory_ / "real.msh").tets.size(), 6u);
 }
 
+TEST_F(Write, ALinkToAFileThatIsNotThereYetIsFollowed) {
+  fs::create_directory(directory_ / "far");
+  fs::create_symlink("middle.msh", directory_ / "link.msh");
+  fs::create_symlink(directory_ / "far" / "real.msh", directory_ / "middle.msh");
+  write_mesh(directory_ / "link.msh", test::plain_box_mesh(1), {}, MeshFormat::kMsh41Binary);
+  EXPECT_TRUE(fs::is_symlink(directory_ / "link.msh"));
+  EXPECT_TRUE(fs::is_symlink(directory_ / "middle.msh"));
+  EXPECT_EQ(read_mesh(directory_ / "far" / "real.msh").tets.size(), 6u);
+}
+
 TEST(Format, IsToldByNameElseBySuffix) {
   EXPECT_EQ(mesh_format("a.msh", ""), MeshFormat::kMsh41Binary);
   EXPECT_EQ(mesh_format("a.VTU", ""), MeshFormat::kVtu);
