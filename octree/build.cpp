@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "base/error.h"
 #include "octree/balance.h"
@@ -17,13 +18,39 @@ namespace {
 /// Lengths this much above a wish still meet it: it covers the rounding of the root.
 constexpr double kSizeSlack = 1.0 + 1e-6;
 
-[[noreturn]] void throw_too_many(double octants, const OctreeRequest& request) {
+/// Octants that are looked at between two questions whether to go on.
+constexpr std::size_t kOctantsAQuestion = 16'384;
+
+void ask(const OctreeRequest& request) {
+  if (request.cancelled && request.cancelled()) throw Cancelled();
+}
+
+/// The octants of a tree so far, in all and inside or on the boundary. What is split later or by the balance
+/// makes more of both: each is a lower bound.
+struct Count {
+  std::size_t all = 1, within = 0;
+  std::size_t settled = 0;  ///< of `within`: at levels above the one in hand
+};
+
+/// What a field has wanted least so far, and where.
+struct Wanted {
+  double size = kNoSize;
+  std::optional<Box3> box;
+};
+
+[[noreturn]] void throw_too_many(double octants, std::size_t most, const OctreeRequest& request,
+                                 const Wanted& wanted = {}) {
+  if (wanted.box)
+    throw TooManyOctants(fmt::format("sizes over space, down to {:g}, need more than {} octants, the limit",
+                                     wanted.size, most),
+                         wanted.box);
   // Octants go with the third power of the size inside and the second on the boundary; the cube root errs
   // on the side of too small a size, and rounding up to two digits makes up for it.
-  const double factor = std::cbrt(octants / static_cast<double>(request.max_octants));
-  throw LimitError(
+  const double factor = std::cbrt(octants / static_cast<double>(most));
+  throw TooManyOctants(
       fmt::format("a size of {:g} needs more than {:.2g} octants, the limit is {}: ask for about {:.2g}",
-                  request.size, octants, request.max_octants, request.size * factor * 1.05));
+                  request.size, octants, most, request.size * factor * 1.05),
+      std::nullopt);
 }
 
 /// Every part of the inside lies in an octant no larger than h: the volume alone is a lower bound.
@@ -31,12 +58,15 @@ void check_volume(const Model& model, const OctreeRequest& request) {
   double volume = 0.0;
   for (int tag = 1; tag <= model.count(3); ++tag) volume += model.region(tag).volume;
   const double least = volume / (request.size * request.size * request.size);
-  if (least > static_cast<double>(request.max_octants)) throw_too_many(least, request);
+  const std::size_t most = std::min(request.max_octants, request.max_within);
+  if (least > static_cast<double>(most)) throw_too_many(least, most, request);
 }
 
-void check_count(const SplitKeys& splits, const OctreeRequest& request) {
-  const std::size_t count = splits.terminal_count();
-  if (count > request.max_octants) throw_too_many(static_cast<double>(count), request);
+void check_count(const Count& count, const OctreeRequest& request, const Wanted& wanted = {}) {
+  if (count.all > request.max_octants)
+    throw_too_many(static_cast<double>(count.all), request.max_octants, request, wanted);
+  if (count.within > request.max_within)
+    throw_too_many(static_cast<double>(count.within), request.max_within, request, wanted);
 }
 
 enum class Place : std::uint8_t { kOutside, kInside, kBoundary };
@@ -50,15 +80,20 @@ struct Candidate {
 
 /// Where octants of one level lie, each by itself: the answer does not depend on the threads. Those inside
 /// are known from their parents.
-void find_places(const Model& model, const Root& root, int level, std::vector<Candidate>& octants) {
-  tbb::parallel_for(std::size_t{0}, octants.size(), [&](std::size_t i) {
-    Candidate& octant = octants[i];
-    if (octant.place == Place::kInside) return;
-    const Box3 box = root.box(octant_of(octant.key, level));
-    if (model.near_boundary(box)) return;
-    octant.region = model.region_at(box.centre());
-    octant.place = octant.region != 0 ? Place::kInside : Place::kOutside;
-  });
+void find_places(const Model& model, const Root& root, int level, const OctreeRequest& request,
+                 std::vector<Candidate>& octants) {
+  for (std::size_t begin = 0; begin < octants.size(); begin += kOctantsAQuestion) {
+    ask(request);
+    const std::size_t end = std::min(begin + kOctantsAQuestion, octants.size());
+    tbb::parallel_for(begin, end, [&](std::size_t i) {
+      Candidate& octant = octants[i];
+      if (octant.place == Place::kInside) return;
+      const Box3 box = root.box(octant_of(octant.key, level));
+      if (model.near_boundary(box)) return;
+      octant.region = model.region_at(box.centre());
+      octant.place = octant.region != 0 ? Place::kInside : Place::kOutside;
+    });
+  }
 }
 
 /// Whether an octant is to be split for its own sake: above the level of the size asked for always, below it
@@ -71,39 +106,70 @@ class SplitRule {
     return level < placed_.level ||
            (level < kDeepestLevel && (request_.field || !request_.region_size.empty()));
   }
-  [[nodiscard]] bool operator()(const Candidate& octant, int level) const {
+  [[nodiscard]] bool operator()(const Candidate& octant, int level) {
     if (level < placed_.level) return true;
     double wanted = kNoSize;
     const auto region = static_cast<std::size_t>(octant.region);
     if (octant.place == Place::kInside && region < request_.region_size.size())
       wanted = request_.region_size[region];
-    if (request_.field)
-      wanted = std::min(wanted, request_.field(placed_.root.box(octant_of(octant.key, level))));
+    if (request_.field) wanted = std::min(wanted, asked(placed_.root.box(octant_of(octant.key, level))));
     return placed_.root.length(level) > wanted * kSizeSlack;
   }
+  /// Of the field.
+  [[nodiscard]] const Wanted& least() const { return least_; }
 
  private:
+  [[nodiscard]] double asked(const Box3& box) {
+    const double size = request_.field(box);
+    if (!(size > 0.0))
+      throw InputError(
+          fmt::format("a size over space must be a positive number, not {}: at ({:g}, {:g}, {:g})", size,
+                      box.centre().x(), box.centre().y(), box.centre().z()));
+    if (size < least_.size) least_ = {size, box};
+    return size;
+  }
+
   const PlacedRoot& placed_;
   const OctreeRequest& request_;
+  Wanted least_;
 };
+
+/// Splits octants of one level where the rule says so, and counts before it makes: the children.
+std::vector<Candidate> split_level(const std::vector<Candidate>& octants, int level, SplitRule& rule,
+                                   const OctreeRequest& request, SplitKeys& splits, Count& count) {
+  std::vector<Candidate> children;
+  count.within = count.settled;
+  for (std::size_t i = 0; i < octants.size(); ++i) {
+    if (i % kOctantsAQuestion == 0) ask(request);
+    const Candidate& octant = octants[i];
+    if (octant.place == Place::kOutside) continue;
+    if (!rule(octant, level)) {
+      ++count.settled;
+      ++count.within;
+      continue;
+    }
+    // Of an octant on the boundary one child at least is as well.
+    count.within += octant.place == Place::kInside ? 8 : 1;
+    count.all += 7;
+    check_count(count, request, rule.least());
+    splits.at[static_cast<std::size_t>(level)].push_back(octant.key);
+    for (MortonKey child = 0; child < 8; ++child)
+      children.push_back({octant.key << 3 | child, octant.place, octant.region});
+  }
+  return children;
+}
 
 /// Octants that meet the inside or the boundary are split until they have the size asked for there; those
 /// outside stay.
 SplitKeys split_for_model(const Model& model, const PlacedRoot& placed, const OctreeRequest& request) {
   SplitKeys splits;
-  const SplitRule rule(placed, request);
+  SplitRule rule(placed, request);
+  Count count;
   std::vector<Candidate> octants{{}};
   for (int level = 0; !octants.empty() && rule.may_split(level); ++level) {
-    std::vector<Candidate> children;
-    for (const Candidate& octant : octants) {
-      if (octant.place == Place::kOutside || !rule(octant, level)) continue;
-      splits.at[level].push_back(octant.key);
-      for (MortonKey child = 0; child < 8; ++child)
-        children.push_back({octant.key << 3 | child, octant.place, octant.region});
-    }
-    check_count(splits, request);
+    std::vector<Candidate> children = split_level(octants, level, rule, request, splits, count);
     if (!rule.may_split(level + 1)) break;
-    find_places(model, placed.root, level + 1, children);
+    find_places(model, placed.root, level + 1, request, children);
     octants = std::move(children);
   }
   return splits;
@@ -116,10 +182,10 @@ void split_for_samples(SplitKeys& splits, const Root& root, std::span<const Size
     int level = 0;
     while (level <= kDeepestLevel && root.length(level) > sample.size * kSizeSlack) ++level;
     if (level > kDeepestLevel) {
-      throw LimitError(
-          fmt::format("a local size of {:g} is too small: the finest octants have length {:g}, set a larger "
-                      "minimum size",
-                      sample.size, root.length(kDeepestLevel)));
+      throw TooFine(fmt::format("a local size of {:g} is too small: the finest octants have length {:g}, set "
+                                "a larger minimum size",
+                                sample.size, root.length(kDeepestLevel)),
+                    sample, root.length(kDeepestLevel));
     }
     if (level == 0) continue;
     const MortonKey cell = morton_key(root.cell_of(sample.place));
@@ -134,8 +200,12 @@ Octree build_octree(const Model& model, const OctreeRequest& request, std::span<
   check_volume(model, request);
   SplitKeys splits = split_for_model(model, placed, request);
   split_for_samples(splits, placed.root, samples);
-  splits = balanced(graded(std::move(splits), request.layers));
-  check_count(splits, request);
+  ask(request);
+  splits = graded(std::move(splits), request.layers);
+  ask(request);
+  splits = balanced(std::move(splits));
+  check_count({splits.terminal_count()}, request);
+  ask(request);
   return Octree(placed.root.origin, placed.root.size, terminal_octants(splits));
 }
 

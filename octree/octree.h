@@ -2,12 +2,15 @@
 // The linear octree: a sorted array of terminal octants over an integer lattice.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "base/error.h"
 #include "base/ids.h"
 #include "base/size_field.h"
 #include "base/size_sample.h"
@@ -84,14 +87,44 @@ struct OctreeRequest {
   SizeField field = {};                  ///< octant lengths over space; may be empty
   int layers = 1;                        ///< octants of a level side by side before they may double
   std::array<double, 3> shift = kRootShift;  ///< of the part's box in the lattice, as in place_root()
+  std::size_t max_within = 50'000'000;       ///< octants inside or on the boundary; LimitError beyond
+  std::function<bool()> cancelled = {};      ///< asked often; true ends with Cancelled; may be empty
+};
+
+/// The sizes of a request, or of samples, need more octants than it allows.
+class TooManyOctants : public LimitError {
+ public:
+  TooManyOctants(const std::string& message, std::optional<Box3> finest)
+      : LimitError(message), finest_(finest) {}
+  /// The octant for which a field wants the smallest size so far; none where all were still to have the
+  /// request's own size or regions'.
+  [[nodiscard]] const std::optional<Box3>& finest() const { return finest_; }
+
+ private:
+  std::optional<Box3> finest_;
+};
+
+/// A sample wants smaller octants than there are.
+class TooFine : public LimitError {
+ public:
+  TooFine(const std::string& message, const SizeSample& sample, double finest)
+      : LimitError(message), sample_(sample), finest_(finest) {}
+  [[nodiscard]] const SizeSample& sample() const { return sample_; }
+  [[nodiscard]] double finest() const { return finest_; }  ///< length of octants
+
+ private:
+  SizeSample sample_;
+  double finest_;
 };
 
 /// Builds the tree [Schroeder & Shephard 1990, "Tree building"; Handbook 15.4]: every octant that meets the
 /// model's inside or boundary has at most length h; every octant that holds a size sample has at most the
 /// sample's size; every octant inside or on the boundary at most what region and field want in it; then the
 /// one-level difference over 26 neighbours, or slower growth (octree/gradation). Outside, octants are as
-/// large as that allows. LimitError past max_octants (within a second where the volume alone exceeds it) or
-/// past kDeepestLevel levels; InputError for a size that is no positive number.
+/// large as that allows. TooManyOctants past max_octants or max_within, before memory is taken for them
+/// (within a second where the volume alone exceeds it); TooFine for samples past kDeepestLevel levels,
+/// LimitError for a size past them; InputError for a size, also one of the field, that is no positive number.
+/// The field may be infinite.
 [[nodiscard]] Octree build_octree(const Model& model, const OctreeRequest& request,
                                   std::span<const SizeSample> samples);
 

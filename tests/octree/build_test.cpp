@@ -3,6 +3,7 @@
 #include <oneapi/tbb/global_control.h>
 
 #include <chrono>
+#include <limits>
 
 #include "base/error.h"
 #include "tests/octree/labelled_models.h"
@@ -78,6 +79,44 @@ TEST(BuildOctree, TooSmallASizeFailsAtOnceAndSaysWhatWouldDo) {
   EXPECT_THROW((void)build_octree(model, {0.1}, std::array{SizeSample{Vec3(0.5, 0.5, 0.5), 0.0}}),
                InputError);
   EXPECT_THROW((void)build_octree(model, {0.0}, {}), InputError);
+}
+
+TEST(BuildOctree, OctantsBeyondTheLimitAreCountedBeforeTheyAreMade) {
+  const Model model = analytic_box(Vec3(10.0, 6.0, 3.0));
+  std::size_t asked = 0;
+  OctreeRequest request{1.0};
+  request.max_within = 10'000;
+  request.field = [&](const Box3&) {
+    ++asked;
+    return 0.001;
+  };
+  EXPECT_THROW((void)build_octree(model, request, {}), TooManyOctants);
+  EXPECT_LT(asked, 2 * request.max_within);
+  request.field = [](const Box3& box) { return box.lo.x() < 1.0 ? 1e-5 : kNoSize; };
+  try {
+    (void)build_octree(model, request, {});
+    FAIL();
+  } catch (const TooManyOctants& many) {
+    ASSERT_TRUE(many.finest());
+    EXPECT_LT(many.finest()->lo.x(), 1.0);
+  }
+}
+
+TEST(BuildOctree, AFieldOfNoPositiveNumberIsRefused) {
+  const Model model = analytic_box(Vec3(10.0, 6.0, 3.0));
+  for (const double size : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
+    OctreeRequest request{1.0, 10'000};
+    request.field = [size](const Box3&) { return size; };
+    EXPECT_THROW((void)build_octree(model, request, {}), InputError) << size;
+  }
+}
+
+TEST(BuildOctree, EndsWhenCancelled) {
+  const Model model = analytic_box(Vec3(10.0, 6.0, 3.0));
+  int left = 3;
+  OctreeRequest request{0.5};
+  request.cancelled = [&] { return left-- == 0; };
+  EXPECT_THROW((void)build_octree(model, request, {}), Cancelled);
 }
 
 TEST(BuildOctree, DoesNotDependOnTheNumberOfThreads) {
