@@ -20,7 +20,7 @@ void EdgeIndex::add_edge(int e, std::vector<Box3>& boxes) {
   // Boxes around few samples would be far wider than the curve.
   constexpr int kFewPieces = 32;
   const ModelEdge& edge = model_->edge(e);
-  const int n = std::clamp(static_cast<int>(std::ceil(edge.length / (0.5 * most_))), 2, 100000);
+  const int n = static_cast<int>(std::clamp(std::ceil(edge.length / (0.5 * most_)), 2.0, 100000.0));
   const int parts = (kFewPieces + n - 1) / n;
   const auto at = [&](int i, int part) {
     return edge.t0 + (edge.t1 - edge.t0) * (i + double(part) / parts) / n;

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "base/blocks.h"
+#include "base/error.h"
 #include "geom/facet_bvh.h"
 #include "geom/size_wishes.h"
 
@@ -33,9 +34,8 @@ double step_at(const ModelEdge& edge, std::size_t i, std::size_t n) {
 EdgeWalk walk_edge(const Model& model, int tag, double step) {
   const ModelEdge& edge = model.edge(tag);
   const bool straight = std::string_view(model.curve(tag).kind()) == "line";
-  const int least = straight ? 8 : 24;
-  const auto n =
-      static_cast<std::size_t>(std::clamp(static_cast<int>(std::ceil(edge.length / step)), least, 4096));
+  const double least = straight ? 8.0 : 24.0;
+  const auto n = static_cast<std::size_t>(std::clamp(std::ceil(edge.length / step), least, 4096.0));
   EdgeWalk walk;
   walk.edge = tag;
   for (std::size_t i = 0; i <= n; ++i) {
@@ -56,6 +56,23 @@ double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b
 
 /// Edges, chords and facets that one task works on: few, for what one costs varies.
 constexpr std::size_t kEdgeBlock = 16, kChordBlock = 512, kFacetBlock = 1024;
+
+/// map_blocks(), and between some blocks the question whether to go on, from the calling thread.
+template <class Result, class Body>
+std::vector<Result> map_asking(std::size_t n, std::size_t block, const SizingOptions& options,
+                               const Body& body) {
+  constexpr std::size_t kBlocksAQuestion = 16;
+  std::vector<Result> all;
+  for (std::size_t begin = 0; begin < n; begin += kBlocksAQuestion * block) {
+    if (options.cancelled && options.cancelled()) throw Cancelled();
+    const std::size_t size = std::min(kBlocksAQuestion * block, n - begin);
+    for (Result& result : map_blocks<Result>(size, block, [&](std::size_t first, std::size_t last) {
+           return body(begin + first, begin + last);
+         }))
+      all.push_back(std::move(result));
+  }
+  return all;
+}
 
 /// All walks as a hierarchy of chords, to find the nearest edge that is no neighbour: one that shares a
 /// vertex, or comes nearer than `touching` somewhere.
@@ -188,11 +205,11 @@ std::vector<EdgeSteps> steps_of_edges(const Model& model, const SizingOptions& o
   std::vector<int> edges;
   for (int e = 1; e <= model.count(1); ++e)
     if (model.edge(e).use == EdgeUse::kReal) edges.push_back(e);
-  const auto walks = map_blocks<EdgeWalk>(edges.size(), 1, [&](std::size_t i, std::size_t /*next*/) {
+  const auto walks = map_asking<EdgeWalk>(edges.size(), 1, options, [&](std::size_t i, std::size_t /*next*/) {
     return walk_edge(model, edges[i], 0.5 * options.size);
   });
   const ChordIndex index(model, walks, kUnresolved * options.min_size);
-  return map_blocks<EdgeSteps>(walks.size(), 1, [&](std::size_t i, std::size_t /*next*/) {
+  return map_asking<EdgeSteps>(walks.size(), 1, options, [&](std::size_t i, std::size_t /*next*/) {
     return steps_of(walks[i], index, options);
   });
 }
@@ -310,11 +327,12 @@ void wish_on_facet(const Model& model, std::size_t facet, double at_corners, dou
 template <class Visit>
 std::vector<SizeSample> wishes_of(std::size_t n, std::size_t block, const SizingOptions& options,
                                   const Visit& visit) {
-  return joined(map_blocks<std::vector<SizeSample>>(n, block, [&](std::size_t first, std::size_t last) {
-    Wishes wishes(options.size, options.min_size);
-    for (std::size_t i = first; i < last; ++i) visit(i, wishes);
-    return wishes.take();
-  }));
+  return joined(
+      map_asking<std::vector<SizeSample>>(n, block, options, [&](std::size_t first, std::size_t last) {
+        Wishes wishes(options.size, options.min_size);
+        for (std::size_t i = first; i < last; ++i) visit(i, wishes);
+        return wishes.take();
+      }));
 }
 
 /// Elements along the diagonal of a compact part, ten along the side of a cube; and of a small one of many: a

@@ -2,6 +2,7 @@
 // Where the part itself asks for elements smaller than the size asked for.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -11,14 +12,15 @@
 namespace octet {
 
 struct SizingOptions {
-  double size = 0.0;               ///< h: the size asked for, model units
-  double min_size = 0.0;           ///< no wish is smaller than this
-  double curvature_angle = 0.785;  ///< radians of turning per element on edges and faces; 0: off
-  double curvature_floor = 0.0;    ///< no wish for curvature's sake is smaller than this
-  double edge_share = 1.0;         ///< size <= edge_share * length of a real edge with two distinct ends
-                                   ///< that is no shorter than 1/32 of `min_size`; 0: off
-  double edge_gap_elements = 1.0;  ///< across to the nearest edge that neither shares a vertex nor comes
-                                   ///< nearer than 1/32 of `min_size`; 0: off
+  double size = 0.0;                ///< h: the size asked for, model units
+  double min_size = 0.0;            ///< no wish is smaller than this
+  double curvature_angle = 0.785;   ///< radians of turning per element on edges and faces; 0: off
+  double curvature_floor = 0.0;     ///< no wish for curvature's sake is smaller than this
+  double edge_share = 1.0;          ///< size <= edge_share * length of a real edge with two distinct ends
+                                    ///< that is no shorter than 1/32 of `min_size`; 0: off
+  double edge_gap_elements = 1.0;   ///< across to the nearest edge that neither shares a vertex nor comes
+                                    ///< nearer than 1/32 of `min_size`; 0: off
+  std::function<bool()> cancelled;  ///< asked often; true ends with Cancelled; may be empty
 };
 
 /// Samples on edges and faces where the wished size is below `options.size`, in a deterministic order.

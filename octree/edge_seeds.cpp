@@ -26,7 +26,7 @@ class SizedLength {
       const double t = edge.t0 + (edge.t1 - edge.t0) * i / 32;
       finest = std::min(finest, state.tree.spacing_at(state.model.edge_point(tag, t)));
     }
-    const int n = std::clamp(static_cast<int>(std::ceil(4.0 * edge.length / finest)), 16, 20000);
+    const int n = static_cast<int>(std::clamp(std::ceil(4.0 * edge.length / finest), 16.0, 20000.0));
     Vec3 last = state.model.edge_point(tag, edge.t0);
     t_.push_back(edge.t0);
     s_.push_back(0.0);

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/error.h"
 #include "geom/size_wishes.h"
 #include "tests/geom/sample_models.h"
 
@@ -42,6 +43,19 @@ TEST(Sizing, CurvatureAsksForItsAnglePerElement) {
   EXPECT_NEAR(smallest(feature_sizes(analytic_cylinder(1.0, 9.0), o)), 0.5, 0.01);
   o.curvature_angle = 0.0;
   EXPECT_TRUE(feature_sizes(analytic_ball(2.0), o).empty());
+}
+
+TEST(Sizing, AWishFarTooSmallIsSampledAsOftenAsAnyMayBe) {
+  Wishes wishes(10.0, 0.0);
+  const Model box = analytic_box(Vec3(1, 1, 1));
+  wish_on_edge(box, 1, box.edge(1).t0, box.edge(1).t1, 1e-12, {}, wishes);  // a trillion: no whole number
+  EXPECT_EQ(wishes.take().size(), 100'001u);
+}
+
+TEST(Sizing, TheSearchEndsWhenCancelled) {
+  SizingOptions o = options(0.5);
+  o.cancelled = [] { return true; };
+  EXPECT_THROW((void)feature_sizes(analytic_ball(2.0), o), Cancelled);
 }
 
 TEST(Sizing, ALongThinFacetHasAsManySamplesAsItsAreaAsksFor) {
