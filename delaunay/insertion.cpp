@@ -81,8 +81,11 @@ Insertion join_vertex(Complex& complex, Inserter& inserter, VertexId v) {
 }
 
 void insert_pending(Complex& complex, Inserter& inserter, std::span<const std::uint32_t> vertices,
-                    std::vector<std::uint8_t>& pending) {
-  for (const std::uint32_t v : vertices) {
+                    std::vector<std::uint8_t>& pending, const Question& question) {
+  constexpr std::size_t kVerticesAQuestion = 1024;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    if (i % kVerticesAQuestion == 0) question.ask();
+    const std::uint32_t v = vertices[i];
     if (pending[v] == 0) {
       const TetId t = complex.vertex_tet[VertexId(v)];
       if (t.valid() && inserter.block.holds(complex.mesh.tets[t])) inserter.last = t;
@@ -93,7 +96,7 @@ void insert_pending(Complex& complex, Inserter& inserter, std::span<const std::u
 }
 
 void insert_in_blocks(Complex& complex, Inserter& all, std::span<const std::uint32_t> vertices,
-                      std::vector<std::uint8_t>& pending) {
+                      std::vector<std::uint8_t>& pending, const Question& question) {
   std::vector<std::uint32_t> block_of(complex.mesh.points.size(), UINT32_MAX);
   std::vector<Part> parts = parts_of(complex, all, vertices, pending, block_of);
   for (std::uint32_t n = 0; n < parts.size(); ++n)
@@ -105,8 +108,8 @@ void insert_in_blocks(Complex& complex, Inserter& all, std::span<const std::uint
       [&](const tbb::blocked_range<std::size_t>& range) {
         for (std::size_t n = range.begin(); n != range.end(); ++n) {
           Part& part = parts[n];
-          insert_pending(complex, part.inserter, vertices.subspan(part.first, part.end - part.first),
-                         pending);
+          insert_pending(complex, part.inserter, vertices.subspan(part.first, part.end - part.first), pending,
+                         question);
         }
       },
       tbb::simple_partitioner());

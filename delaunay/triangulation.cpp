@@ -75,21 +75,21 @@ VertexId vertex_at(const Complex& complex, TetId t, const Vec3& point) {
 // Inserts the points of one round. Large rounds go in blocks, then in blocks with other bounds what reached
 // beyond these, and at last what is left by then, some per cent.
 void insert_round(Complex& complex, Inserter& inserter, const SpatialOrder& order, std::size_t round,
-                  std::vector<std::uint8_t>& pending) {
+                  std::vector<std::uint8_t>& pending, const Question& question) {
   constexpr std::array<double, 3> kShifts{0.0, 0.28125, 0.6};
   const std::span<const std::uint32_t> so_far = std::span(order.points).first(order.round_end[round]);
   const std::size_t begin = round == 0 ? 0 : order.round_end[round - 1];
   if (so_far.size() < 2 * kBlockVertices) {
-    insert_pending(complex, inserter, so_far.subspan(begin), pending);
+    insert_pending(complex, inserter, so_far.subspan(begin), pending, question);
     return;
   }
   std::vector<std::uint32_t> curve;
   for (const double shift : kShifts) {
     curve = shift == 0.0 ? order.along_curve_until(round)
                          : along_curve(complex.mesh.points.values(), so_far, shift);
-    insert_in_blocks(complex, inserter, curve, pending);
+    insert_in_blocks(complex, inserter, curve, pending, question);
   }
-  insert_pending(complex, inserter, curve, pending);
+  insert_pending(complex, inserter, curve, pending, question);
 }
 
 }  // namespace
@@ -109,8 +109,10 @@ Triangulation::~Triangulation() = default;
 Triangulation::Triangulation(Triangulation&&) noexcept = default;
 Triangulation& Triangulation::operator=(Triangulation&&) noexcept = default;
 
-void Triangulation::insert_all(std::span<const Vec3> points, std::span<const std::uint64_t> ranks) {
+void Triangulation::insert_all(std::span<const Vec3> points, std::span<const std::uint64_t> ranks,
+                               const std::function<bool()>& cancelled) {
   OCTET_CHECK(points.size() == ranks.size());
+  const Question question(cancelled);
   Data& d = *data_;
   const std::size_t base = d.mesh.points.size();
   SpatialOrder order = spatial_order(points, ranks);
@@ -120,7 +122,7 @@ void Triangulation::insert_all(std::span<const Vec3> points, std::span<const std
   std::vector<std::uint8_t> pending(base + points.size(), 1);
   if (base > 0) {
     for (std::uint32_t& i : order.points) i += static_cast<std::uint32_t>(base);
-    insert_pending(d, d.inserter, order.points, pending);
+    insert_pending(d, d.inserter, order.points, pending, question);
     return;
   }
   const std::array<std::uint32_t, 4> first = first_four(points, order.points);
@@ -128,7 +130,8 @@ void Triangulation::insert_all(std::span<const Vec3> points, std::span<const std
   d.reserve_slots(kSlotsPerVertex * points.size());
   make_first_tets(d, {VertexId(first[0]), VertexId(first[1]), VertexId(first[2]), VertexId(first[3])});
   d.inserter.last = TetId(0);
-  for (std::size_t r = 0; r < order.round_end.size(); ++r) insert_round(d, d.inserter, order, r, pending);
+  for (std::size_t r = 0; r < order.round_end.size(); ++r)
+    insert_round(d, d.inserter, order, r, pending, question);
 }
 
 VertexId Triangulation::insert(const Vec3& point, std::uint64_t rank, TetId near,

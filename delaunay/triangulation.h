@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -33,7 +34,10 @@ class Triangulation {
   /// Inserts all points; vertex i of the mesh is point i of the first call, later calls append. Points are
   /// visited in a spatial order of its own choice. Of points at the same place one is joined, the others stay
   /// vertices without tetrahedra. Throws InputError when the first points all lie in one plane.
-  void insert_all(std::span<const Vec3> points, std::span<const std::uint64_t> ranks);
+  /// `cancelled`, where given, is asked often, from the calling thread; true ends it with Cancelled, and what
+  /// is there then is no triangulation.
+  void insert_all(std::span<const Vec3> points, std::span<const std::uint64_t> ranks,
+                  const std::function<bool()>& cancelled = {});
 
   /// Inserts one point. `near` is a tetrahedron to start the walk from (invalid: the last one made).
   /// Returns the vertex: an existing one when the coordinates are equal to it.
