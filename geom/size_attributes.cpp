@@ -149,6 +149,7 @@ bool read_selector(std::string_view selector, double unit, SizeAttribute& attrib
 SizeAttribute parse_size_attribute(std::string_view text, double unit) {
   SizeAttribute attribute;
   attribute.text = std::string(text);
+  attribute.unit = unit;
   const std::size_t equals = text.rfind('=');
   if (equals == std::string_view::npos) refuse(text, "it needs a form like Face12=0.5");
   if (!read_selector(text.substr(0, equals), unit, attribute))

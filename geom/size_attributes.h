@@ -35,6 +35,7 @@ struct SizeAttribute {
   double size = 0.0;  ///< edge length asked for
   int elements = 0;   ///< instead of a size: pieces on each edge (dim 1)
   std::string text;   ///< as the user wrote it, for messages
+  double unit = 1.0;  ///< of the lengths in `text`
 };
 
 /// From the words of --size-at; `unit` is the length of one of the user's units in model units.

@@ -7,8 +7,10 @@
 #include <utility>
 
 #include "base/error.h"
+#include "geom/size_check.h"
 #include "geom/size_memo.h"
 #include "geom/size_wishes.h"
+#include "geom/wish_cost.h"
 
 namespace octet {
 namespace {
@@ -28,24 +30,9 @@ constexpr double kSmallRegionShare = 0.75;
 constexpr double kVanishingShare = 1.0 / 12.0;
 constexpr double kFinestRegionShare = 1.0 / 32768.0;
 
-void check_number(const char* name, double value, bool zero_is_off) {
-  if (!std::isfinite(value) || value < 0.0 || (value == 0.0 && !zero_is_off))
-    throw InputError(std::string("the ") + name + " must be a positive number");
-}
-
-void check_control(const SizeControl& control) {
-  check_number("size", control.size, true);
-  check_number("smallest size", control.min_size, true);
-  check_number("largest size", control.max_size, true);
-  check_number("angle per element", control.curvature_angle, true);
-  check_number("curvature floor", control.curvature_floor, true);
-  check_number("number of elements across walls", control.wall_elements, true);
-  check_number("number of elements across gaps", control.gap_elements, true);
-  if (!(control.growth > 1.0) || !std::isfinite(control.growth))
-    throw InputError("the growth must be a number above 1");
-  if (control.max_size > 0.0 && control.min_size > control.max_size)
-    throw InputError("the smallest size is above the largest");
-}
+/// Facets sampled between two questions whether to go on: at the limit of elements they have few samples
+/// each.
+constexpr std::size_t kFacetsAQuestion = 64;
 
 double attribute_size(const Model& model, const SizeAttribute& attribute, ModelRef entity) {
   return attribute.elements > 0 ? model.edge(entity.tag).length / attribute.elements : attribute.size;
@@ -58,6 +45,8 @@ class Planner {
     plan_.asked = global_size(model, control);
     plan_.min_size = control.min_size > 0.0 ? control.min_size : kFinestShare * plan_.asked;
     plan_.growth = control.growth;
+    plan_.max_elements = control.max_elements;
+    plan_.cancelled = control.cancelled;
     plan_.region_size.assign(static_cast<std::size_t>(model.count(3)) + 1, kNoSize);
     plan_.region_why.assign(plan_.region_size.size(), SizeReason::kAttribute);
   }
@@ -69,7 +58,7 @@ class Planner {
     for (const auto& [entity, size] : wanted_) wish_for(entity, size, SizeReason::kAttribute);
     if (control_.region_scale > 0.0) hold_small_regions();
     if (plan_.size > plan_.asked) hold_other_regions();
-    plan_.field = smaller_of(shapes(), floored(control_.background));
+    plan_.field = smaller_of(shapes(), floored(checked(control_.background)));
     return std::move(plan_);
   }
 
@@ -88,6 +77,7 @@ class Planner {
                                   : std::max(plan_.min_size, kFinestCurvedShare * plan_.size);
     options.edge_share = control_.short_edges ? 1.0 : 0.0;
     options.edge_gap_elements = control_.gap_elements;
+    options.cancelled = control_.cancelled;
     take(memo_ != nullptr ? memo_->features.sizes(model_, options) : feature_sizes(model_, options));
     if (control_.suit_curvature) suit_curvature();
   }
@@ -114,19 +104,39 @@ class Planner {
     options.gap_elements = control_.gap_elements;
     options.budget = control_.wall_budget;
     options.cancelled = control_.cancelled;
-    take(memo_ != nullptr ? memo_->walls.sizes(model_, options) : wall_sizes(model_, options));
+    const WallSizes walls =
+        memo_ != nullptr ? memo_->walls.sizes(model_, options) : wall_sizes_told(model_, options);
+    take(walls.samples);
+    plan_.thinnest_wall = walls.thinnest;
   }
 
   /// Entities with their sizes; a region may be coarser than the rest.
   void resolve_attributes() {
     plan_.size = plan_.asked;
-    for (const SizeAttribute& attribute : control_.attributes)
+    std::vector<SizedEntities> all;
+    for (const SizeAttribute& attribute : control_.attributes) {
+      SizedEntities& sized = all.emplace_back();
       for (const ModelRef entity : selected_entities(model_, attribute)) {
         const double size = within_limits(attribute_size(model_, attribute, entity));
         plan_.wanted.push_back(size);
-        wanted_.emplace_back(entity, size);
+        sized.emplace_back(entity, size);
         if (entity.dim == 3) plan_.size = std::max(plan_.size, size);
       }
+      wanted_.insert(wanted_.end(), sized.begin(), sized.end());
+    }
+    for (std::size_t i = 0; i < all.size(); ++i) weigh(control_.attributes[i], all[i]);
+  }
+
+  /// Samples of a size far too small take minutes and all memory: what they would cost is known before.
+  void weigh(SizeAttribute attribute, const SizedEntities& sized) {
+    attribute.size = within_limits(attribute.size);
+    WishCost cost = wish_cost(model_, attribute, sized, plan_.size, control_.max_elements);
+    check_wish(model_, attribute, sized, cost, control_.max_elements);
+    if (cost.elements > plan_.costliest.elements) plan_.costliest = std::move(cost);
+  }
+
+  void ask() const {
+    if (control_.cancelled && control_.cancelled()) throw Cancelled();
   }
 
   /// Where a region is coarser than the size asked for, the others are held to that size one by one.
@@ -159,11 +169,13 @@ class Planner {
     }
     Wishes wishes(plan_.size, control_.min_size);
     const Facets& facets = model_.facets();
-    for (std::size_t t = 0; t < facets.triangles.size(); ++t)
+    for (std::size_t t = 0; t < facets.triangles.size(); ++t) {
+      if (t % kFacetsAQuestion == 0) ask();
       for (const int region : model_.face(facets.face[t]).region)
         if (region != 0 && sizes[static_cast<std::size_t>(region)] < kNoSize)
           wish_on_triangle(facet_corners(facets, t), sizes[static_cast<std::size_t>(region)],
                            {model_region(region), why}, wishes);
+    }
     take(wishes.take());
   }
 
@@ -192,8 +204,11 @@ class Planner {
 
   void wish_on_face(int face, double size, const Wisher& who, Wishes& wishes) {
     const Facets& facets = model_.facets();
-    for (std::size_t t = 0; t < facets.triangles.size(); ++t)
-      if (facets.face[t] == face) wish_on_triangle(facet_corners(facets, t), size, who, wishes);
+    for (std::size_t t = 0; t < facets.triangles.size(); ++t) {
+      if (facets.face[t] != face) continue;
+      if (asked_++ % kFacetsAQuestion == 0) ask();
+      wish_on_triangle(facet_corners(facets, t), size, who, wishes);
+    }
   }
 
   [[nodiscard]] double within_limits(double size) const {
@@ -229,7 +244,8 @@ class Planner {
   const SizeControl& control_;
   SizeMemo* memo_;  ///< may be null
   SizePlan plan_;
-  std::vector<std::pair<ModelRef, double>> wanted_;  ///< entities of attributes and their sizes
+  SizedEntities wanted_;   ///< of attributes
+  std::size_t asked_ = 0;  ///< facets sampled, for questions whether to go on
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 // All sizes of a run together: what the user asks for, and what the part asks for itself.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "base/size_sample.h"
 #include "geom/model.h"
 #include "geom/size_attributes.h"
+#include "geom/wall_sizing.h"
 
 namespace octet {
 
@@ -32,8 +34,16 @@ struct SizeControl {
   double wall_budget = 250'000.0;  ///< elements that walls and gaps of faces may cost; 0: any number
   double growth = 2.0;             ///< largest ratio of neighbouring sizes, above 1
   std::vector<SizeAttribute> attributes;
-  SizeField background;             ///< wishes over space; only those below the size asked for count
-  std::function<bool()> cancelled;  ///< asked often; true ends planning with Cancelled; may be empty
+  SizeField background;                   ///< wishes over space; only those below the size asked for count
+  std::size_t max_elements = 20'000'000;  ///< LimitError when more would be needed
+  std::function<bool()> cancelled;        ///< asked often; true ends planning with Cancelled; may be empty
+};
+
+/// What one of the user's sizes asks for by itself (geom/wish_cost.h).
+struct WishCost {
+  std::string wish;       ///< as the user wrote it; empty for none
+  double elements = 0.0;  ///< about
+  std::string advice;     ///< what stays below the limit, in the user's unit
 };
 
 /// What the octree is built from.
@@ -48,9 +58,14 @@ struct SizePlan {
   std::vector<SizeReason> region_why;
   SizeField field;  ///< shapes and background; may be empty
   double growth = 2.0;
+  std::size_t max_elements = 20'000'000;  ///< of the control
+  std::function<bool()> cancelled;        ///< of the control
+  WishCost costliest;                     ///< of the attributes
+  ThinnestWall thinnest_wall;
 };
 
-/// InputError for a control that makes no sense or an attribute that names nothing. `memo`, where given:
+/// InputError for a control that makes no sense or an attribute that names nothing; LimitError, at once, for
+/// an attribute that asks for far more than max_elements by itself. `memo`, where given:
 /// what earlier plans of the same part found of it, and what this one finds.
 [[nodiscard]] SizePlan plan_sizes(const Model& model, const SizeControl& control, SizeMemo* memo = nullptr);
 

@@ -2,7 +2,6 @@
 // The entities that a size attribute names.
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <limits>
 #include <string>
 

@@ -136,6 +136,7 @@ class WallSizer {
 
   std::vector<SizeSample> take() { return wishes_.take(); }
   [[nodiscard]] double elements() const { return elements_; }
+  [[nodiscard]] const ThinnestWall& thinnest() const { return thinnest_; }
 
  private:
   struct Probe {
@@ -344,6 +345,8 @@ class WallSizer {
     const double depth = thickness(middle, side, first);
     const double unlimited = depth / (side.n > 1.0 ? across : side.n);
     least_ = std::min(least_, unlimited);
+    if (unlimited < thinnest_.wish && side.who.why == SizeReason::kWall)
+      thinnest_ = {unlimited, 0.0, middle, side.face};
     const double wish = wishes_.floored(unlimited);
     const std::array<double, 3> length{(c - b).norm(), (a - c).norm(), (b - a).norm()};
     const auto longest =
@@ -385,16 +388,18 @@ class WallSizer {
   bool crowded_ = false;               ///< they are too many for that
   double elements_ = 0.0;              ///< for all facets looked from
   double least_ = kNoSize;             ///< wish of theirs, before the smallest size raises it
+  ThinnestWall thinnest_;              ///< likewise, of walls alone
 };
 
 /// The wishes of every `stride`-th facet; none when they pass the budget.
-std::optional<std::vector<SizeSample>> wishes_within_budget(Search& search, std::size_t stride) {
+std::optional<WallSizes> wishes_within_budget(Search& search, std::size_t stride) {
   struct Found {
     std::vector<SizeSample> samples;
     double elements = 0.0;
+    ThinnestWall thinnest;
   };
   const std::size_t count = (search.model.facets().triangles.size() + stride - 1) / stride;
-  std::vector<SizeSample> all;
+  WallSizes all;
   double elements = 0.0;
   for (std::size_t begin = 0; begin < count; begin += kFacetsAQuestion) {
     if (search.options.cancelled && search.options.cancelled()) throw Cancelled();
@@ -403,11 +408,12 @@ std::optional<std::vector<SizeSample>> wishes_within_budget(Search& search, std:
         map_blocks<Found>(size, kFacetsATask, [&](std::size_t first, std::size_t last) {
           WallSizer sizer(search);
           for (std::size_t i = first; i < last; ++i) sizer.look_from((begin + i) * stride);
-          return Found{sizer.take(), sizer.elements()};
+          return Found{sizer.take(), sizer.elements(), sizer.thinnest()};
         });
     for (const Found& block : found) {
-      all.insert(all.end(), block.samples.begin(), block.samples.end());
+      all.samples.insert(all.samples.end(), block.samples.begin(), block.samples.end());
       elements += block.elements;
+      if (block.thinnest.wish < all.thinnest.wish) all.thinnest = block.thinnest;
     }
     if (search.given_up || search.is_over(elements)) return std::nullopt;
   }
@@ -416,7 +422,7 @@ std::optional<std::vector<SizeSample>> wishes_within_budget(Search& search, std:
 
 }  // namespace
 
-std::vector<SizeSample> wall_sizes(const Model& model, const WallOptions& options) {
+WallSizes wall_sizes_told(const Model& model, const WallOptions& options) {
   constexpr double kFinestShare = 1e-3;  // where no smallest size is given
   WallOptions tried = options;
   tried.min_size = std::max(options.min_size, kFinestShare * options.size);
@@ -429,27 +435,34 @@ std::vector<SizeSample> wall_sizes(const Model& model, const WallOptions& option
   double least = 0.0;  // wish in the last search
   const auto search = [&](const WallOptions& with, std::size_t stride) {
     Search all{model, with, normals, neighbours};
-    auto samples = wishes_within_budget(all, stride);
+    auto sizes = wishes_within_budget(all, stride);
     least = all.least;
-    return samples;
+    return sizes;
   };
   for (;; tried.min_size *= 2.0) {
-    if (tried.min_size >= options.size) return {};
+    if (tried.min_size >= options.size) return {{}, {least, options.size, Vec3::Zero(), 0}};
     if (tried.min_size <= least) continue;  // of what was too much nothing would change
     share.min_size = tried.min_size;
     if (model.facets().triangles.size() > kCountless && !search(share, kStride)) continue;
-    if (auto samples = search(tried, 1)) return *std::move(samples);
+    if (auto sizes = search(tried, 1)) {
+      sizes->thinnest.floor = tried.min_size;
+      return *std::move(sizes);
+    }
   }
 }
 
-const std::vector<SizeSample>& WallMemo::sizes(const Model& model, const WallOptions& options) {
+std::vector<SizeSample> wall_sizes(const Model& model, const WallOptions& options) {
+  return wall_sizes_told(model, options).samples;
+}
+
+const WallSizes& WallMemo::sizes(const Model& model, const WallOptions& options) {
   const auto question = [](const WallOptions& o) {
     return std::tie(o.size, o.min_size, o.wall_elements, o.gap_elements, o.budget);
   };
-  if (options_ && question(*options_) == question(options)) return samples_;
-  samples_ = wall_sizes(model, options);
+  if (options_ && question(*options_) == question(options)) return sizes_;
+  sizes_ = wall_sizes_told(model, options);
   options_ = options;
-  return samples_;
+  return sizes_;
 }
 
 }  // namespace octet

@@ -87,7 +87,7 @@ TEST(WallSizing, WhatIsKnownIsLookedForOnce) {
   const auto look = [&](WallOptions options) {
     options.cancelled = [&asked] { return ++asked < 0; };
     std::vector<std::pair<Vec3, double>> list;
-    for (const SizeSample& s : memo.sizes(plate, options)) list.emplace_back(s.place, s.size);
+    for (const SizeSample& s : memo.sizes(plate, options).samples) list.emplace_back(s.place, s.size);
     const int before = asked;
     std::vector<std::pair<Vec3, double>> anew;
     for (const SizeSample& s : wall_sizes(plate, options)) anew.emplace_back(s.place, s.size);
