@@ -194,13 +194,13 @@ void place_points(Attempt& attempt, const Model& model, const SeedOptions& optio
   attempt.tips = std::move(seeds.tips);
 }
 
-void triangulate(Attempt& attempt, const Model& model) {
+void triangulate(Attempt& attempt, const Model& model, const std::function<bool()>& cancelled) {
   const SeedPoints& band = attempt.split.band;
   const double unit = std::exp2(std::ilogb(attempt.tree.root_size()) - kPlaceBits);
   std::vector<Vec3> places = band.position;
   for (std::size_t i = 0; i < places.size(); ++i)
     if (!is_octree_vertex_rank(band.order[i])) places[i] = rounded(places[i], unit);
-  attempt.triangulation.insert_all(places, band.order);
+  attempt.triangulation.insert_all(places, band.order, cancelled);
   attempt.on = attempt.split.band.on;
   attempt.chains = std::make_unique<EdgeChains>(attempt.pieces);
   attempt.band = std::make_unique<Band>(

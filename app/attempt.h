@@ -48,7 +48,7 @@ struct Attempt {
 /// The steps, in this order. `cancelled` is as in cut_octant_edges().
 void cut_tree(Attempt& attempt, const Model& model, const std::function<bool()>& cancelled = {});
 void place_points(Attempt& attempt, const Model& model, const SeedOptions& options);
-void triangulate(Attempt& attempt, const Model& model);
+void triangulate(Attempt& attempt, const Model& model, const std::function<bool()>& cancelled = {});
 void classify(Attempt& attempt);
 /// Attribute points until no hole is left or a limit is met; again with other limits, it goes on from there.
 void close_holes(Attempt& attempt, const Model& model, double size, AttributeLimits limits,

@@ -2,6 +2,9 @@
 // Octants counted by where they lie.
 #include "app/element_estimate.h"
 
+#include <algorithm>
+
+#include "app/element_limits.h"
 #include "app/octant_sizes.h"
 #include "octree/octant_types.h"
 
@@ -14,7 +17,9 @@ constexpr double kTetsPerBoundaryOctant = 7.0;
 }  // namespace
 
 double estimated_elements(const Model& model, const SizePlan& plan) {
-  return estimated_elements(model, build_octree(model, octant_request(plan), octant_samples(plan)));
+  OctreeRequest request = octant_request(plan);
+  request.max_within = std::max(request.max_within, most_octants_within(SizeControl().max_elements));
+  return estimated_elements(model, build_octree(model, request, octant_samples(plan)));
 }
 
 double estimated_elements(const Model& model, const Octree& tree) {

@@ -24,7 +24,9 @@ inline constexpr std::size_t kMostElements = std::numeric_limits<std::uint32_t>:
 [[nodiscard]] double estimated_elements(const Model& model, const Octree& tree);
 
 /// The same for a search of sizes, which asks often: thin walls are not evened (octree/even_walls), which
-/// costs half as much again and adds elements to few parts. Throws what build_octree() throws.
+/// costs half as much again and adds elements to few parts. Throws what build_octree() throws; of its octants
+/// there may be as many as the default limit of elements allows, if the plan's own is less: a search goes
+/// through finer sizes than those it ends with.
 [[nodiscard]] double estimated_elements(const Model& model, const SizePlan& plan);
 
 }  // namespace octet

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/element_limits.h"
 #include "octree/even_walls.h"
 #include "octree/gradation.h"
 
@@ -46,6 +47,9 @@ OctreeRequest octant_request(const SizePlan& plan) {
   const double levels = std::round(std::log2(plan.size / kEdgePerOctant / lattice));
   request.size = std::exp2(levels) * lattice;
   request.layers = layers_of_growth(plan.growth);
+  request.max_within = most_octants_within(plan.max_elements);
+  request.max_octants = std::max(request.max_octants, plan.max_elements);
+  request.cancelled = plan.cancelled;
   const auto& wanted = plan.region_size;
   if (std::any_of(wanted.begin(), wanted.end(), [](double size) { return size < kNoSize; }))
     for (const double size : wanted) request.region_size.push_back(longest_octant(size));
@@ -64,7 +68,13 @@ std::vector<SizeSample> octant_samples(const SizePlan& plan) {
 Octree planned_octree(const Model& model, const SizePlan& plan, const std::array<double, 3>& shift) {
   OctreeRequest request = octant_request(plan);
   request.shift = shift;
-  return with_even_walls(model, build_octree(model, request, octant_samples(plan)));
+  try {
+    return with_even_walls(model, build_octree(model, request, octant_samples(plan)));
+  } catch (const TooManyOctants& many) {
+    throw LimitError(too_many_elements(plan, many.finest()));
+  } catch (const TooFine& fine) {
+    throw LimitError(too_fine(model, fine));
+  }
 }
 
 }  // namespace octet

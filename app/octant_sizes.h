@@ -25,7 +25,7 @@ inline constexpr double kTetsPerOctant = 12.0;
 [[nodiscard]] std::vector<SizeSample> octant_samples(const SizePlan& plan);
 
 /// The tree that a mesh is made from: octants as the plan has them, of one size on both sides of thin walls.
-/// `shift` as in OctreeRequest.
+/// `shift` as in OctreeRequest. LimitError, in the user's sizes, where build_octree() throws one.
 [[nodiscard]] Octree planned_octree(const Model& model, const SizePlan& plan,
                                     const std::array<double, 3>& shift = kRootShift);
 

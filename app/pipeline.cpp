@@ -14,19 +14,23 @@
 #include "app/apart.h"
 #include "app/attempt.h"
 #include "app/element_estimate.h"
+#include "app/element_limits.h"
 #include "app/geometry_faults.h"
 #include "app/held_boundary.h"
 #include "app/leave_out.h"
 #include "app/measures.h"
 #include "app/mesh_part.h"
 #include "app/octant_sizes.h"
+#include "app/option_check.h"
 #include "app/own_frame.h"
 #include "app/second_order.h"
 #include "app/size_notes.h"
 #include "app/size_shortfall.h"
 #include "app/stage_clock.h"
+#include "app/stage_times.h"
 #include "app/target_elements.h"
 #include "app/usable_threads.h"
+#include "app/watched_observer.h"
 #include "classify/extract.h"
 #include "finalize/finalize.h"
 #include "geom/face_crossings.h"
@@ -102,7 +106,14 @@ class Run {
       if (again_) {
         restore();
       } else {
-        mesh_band(*std::exchange(tree, std::nullopt));
+        try {
+          mesh_band(*std::exchange(tree, std::nullopt));
+        } catch (const LimitError& limit) {
+          if (!best) throw;
+          limit_ = limit.what();
+          best->report.times = result_.report.times;
+          break;
+        }
         extract();
         if (held_.holds_any()) held_.find_anew(result_.mesh, spacing());
       }
@@ -114,6 +125,7 @@ class Run {
       keep_better(best, better);
     }
     result_ = *std::move(best);
+    tell_limit();
     summarize();
     return std::move(result_);
   }
@@ -141,21 +153,15 @@ class Run {
 
   void choose_size() {
     begin("sizes", 0.0);
-    if (!std::isfinite(options_.size) || options_.size < 0.0)
-      throw InputError(fmt::format("the size must be a positive number, not {}", options_.size));
-    const double h = global_size(model_, options_);
-    double volume = 0.0;
-    for (int r = 1; r <= model_.count(3); ++r) volume += model_.region(r).volume;
-    const double elements = kTetsPerOctant * volume / std::pow(h / kEdgePerOctant, 3);
-    if (options_.attributes.empty() && elements > static_cast<double>(options_.max_elements))
-      throw LimitError(
-          fmt::format("size {:.6g} mm needs about {:.2g} elements, more than the limit of {}; "
-                      "ask for a larger size{}",
-                      h, elements, options_.max_elements, or_raise(options_.max_elements)));
+    check_volume(model_, options_, global_size(model_, options_));
     plan_ = plan_sizes(model_, options_, &memo_);
     result_.report.size = plan_.asked;
     for (const WideGap& gap : wide_gaps(part_, plan_.asked))
       result_.report.warnings.push_back(warning_of(gap, part_));
+    if (const auto warning = warning_of(plan_.thinnest_wall, options_)) {
+      result_.report.warnings.push_back(*warning);
+      result_.report.warnings.back().place = frame_.to_part(warning->place);
+    }
     refuse_crossings();
     octant_ = octant_request(plan_).size;
     seeds_.size = octant_;
@@ -185,7 +191,14 @@ class Run {
     std::optional<Openness> mark;
     int kept = 0, depth = 0;
     for (int best = 0;; ++depth) {
-      auto next = attempt(std::move(tree));
+      std::unique_ptr<Attempt> next;
+      try {
+        next = attempt(std::move(tree));
+      } catch (const LimitError& limit) {
+        if (!band_) throw;
+        limit_ = limit.what();
+        break;
+      }
       if (in_vain_) close_below_floor(*next);
       const Openness open = openness(next->closed.gaps);
       const bool better = !band_ || open < openness(band_->closed.gaps);
@@ -215,7 +228,7 @@ class Run {
     close_below_floor(*band_);
     gaps_left_ = !band_->closed.gaps.empty();
     // The first attempt is no measure: its octree vertices stand nearer to the boundary.
-    in_vain_ = in_vain_ || (kept > 0 && kept < depth && !gaps_left_);
+    in_vain_ = in_vain_ || (kept > 0 && kept < depth && limit_.empty() && !gaps_left_);
     if (gaps_left_) find_all_gaps(*band_);
     broken_ = broken_regions(*band_, model_);
     auto& faults = result_.report.faults;
@@ -227,6 +240,17 @@ class Run {
     if (!gaps_left_ || !too_coarse_) return;
     result_.report.too_coarse = plan_.asked;
     faults.insert(faults.begin(), fault_of_coarseness(plan_.asked, frame_.to_part(model_.box().centre())));
+  }
+
+  /// A mesh that is there is not given up for a finer one that may not be made.
+  void tell_limit() {
+    if (limit_.empty() || result_.report.status == MeshStatus::kComplete) return;
+    auto& faults = result_.report.faults;
+    const Vec3 place = faults.empty() ? part_.box().centre() : faults.front().place;
+    faults.push_back({{},
+                      place,
+                      "octants small enough to mend the faults were not made: " + limit_,
+                      "raise --max-elements"});
   }
 
   /// Points nearer to each other than is good for elements, for the gaps that nothing else closes. About a
@@ -298,7 +322,7 @@ class Run {
                                next->surface_points, next->seed_points, next->split.band.size(),
                                next->split.templates));
     begin("triangulation", 0.3);
-    triangulate(*next, model_);
+    triangulate(*next, model_, options_.cancelled);
     begin("classification", 0.45);
     classify(*next);
     close_attempt(*next, kFloorShare);
@@ -315,15 +339,9 @@ class Run {
 
   /// A boundary octant gives about as many tetrahedra as one inside.
   void check_limit(const Attempt& attempt) const {
-    const auto inside =
-        static_cast<std::size_t>(std::count_if(attempt.labels.type.begin(), attempt.labels.type.end(),
-                                               [](OctantType type) { return type != OctantType::kOut; }));
-    const double elements = kTetsPerOctant * static_cast<double>(inside);
-    if (0.8 * elements > static_cast<double>(options_.max_elements))
-      throw LimitError(fmt::format(
-          "size {:.6g} mm, with the part's small features, needs about {:.2g} elements, more than the limit "
-          "of {}; ask for a larger size, set --min-size{}",
-          plan_.asked, elements, options_.max_elements, or_raise(options_.max_elements)));
+    check_octants(plan_, static_cast<std::size_t>(
+                             std::count_if(attempt.labels.type.begin(), attempt.labels.type.end(),
+                                           [](OctantType type) { return type != OctantType::kOut; })));
   }
 
   void extract() {
@@ -528,49 +546,27 @@ class Run {
   std::optional<Octree> wish_;  ///< octants of the sizes asked for, where some were subdivided
   HeldBoundary held_{model_};   ///< in finalization
   int second_tries_ = 0;        ///< with smaller octants at faults
+  std::string limit_;           ///< that another try would have passed
   std::optional<Octree> tree_;  ///< that of the mesh, when the band has gone
   std::optional<Begun> begun_;  ///< where it is kept; then the band stays
   bool again_ = false;          ///< the next try is from there
   bool in_vain_ = false;        ///< smaller octants left no fewer gaps, which nearer points then closed
 };
 
-/// What the making of a mesh took besides its own stages.
-StageTime beside_stages(StageTime whole, const std::vector<StageTime>& own) {
-  for (const StageTime& stage : own) {
-    whole.seconds -= stage.seconds;
-    whole.cpu_seconds -= stage.cpu_seconds;
-  }
-  whole.seconds = std::max(0.0, whole.seconds);
-  whole.cpu_seconds = std::max(0.0, whole.cpu_seconds);
-  return whole;
-}
-
-/// What no stage has: where others were made before the mesh, their making; else looking for a size.
-void add_rest(StageTime rest, int makings, std::vector<StageTime>& times) {
-  rest.name = makings > 1 ? "other tries" : "sizes";
-  const auto known =
-      std::find_if(times.begin(), times.end(), [&](const StageTime& time) { return time.name == rest.name; });
-  if (known == times.end()) {
-    times.insert(times.begin(), rest);
-  } else {
-    known->seconds += rest.seconds;
-    known->cpu_seconds += rest.cpu_seconds;
-  }
-}
-
 }  // namespace
 
-MeshResult mesh_part(const Model& model, const MeshOptions& options, Observer& observer) {
-  if (options.order != 1 && options.order != 2)
-    throw InputError(fmt::format("the order of elements must be 1 or 2, not {}", options.order));
+MeshResult mesh_part(const Model& model, const MeshOptions& options, Observer& own_observer) {
+  check_options(options);
   const bool apart = is_meshed_apart(model);
   MeshResult result;
   int makings = 0;
   StageClock clock;
   tbb::task_arena arena(usable_threads(options.threads));
+  WatchedObserver observer(own_observer, options.cancelled);
   MeshOptions watched = options;
   watched.cancelled = [&observer] { return observer.cancelled(); };
   arena.execute([&] {
+    observer.stage("sizes", 0.0);
     const OwnFrame frame(model, watched);
     SizeMemo memo;
     const auto mesh = [&](const MeshOptions& with, double most) {

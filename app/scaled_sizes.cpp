@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "app/element_estimate.h"
@@ -39,6 +40,15 @@ bool has_free_curvature(const MeshOptions& options) {
          options.target_elements == 0.0;
 }
 
+/// What a tree of a search promises; infinite for one that would have more octants than any search needs.
+double elements_or_countless(const std::function<double()>& estimate) {
+  try {
+    return estimate();
+  } catch (const LimitError&) {
+    return std::numeric_limits<double>::infinity();
+  }
+}
+
 struct Sized {
   MeshOptions options;
   SizePlan plan;
@@ -47,7 +57,7 @@ struct Sized {
 
 Sized sized(const Model& model, const MeshOptions& options, SizeMemo& memo) {
   SizePlan plan = plan_sizes(model, options, &memo);
-  const double elements = estimated_elements(model, plan);
+  const double elements = elements_or_countless([&] { return estimated_elements(model, plan); });
   return {options, std::move(plan), elements};
 }
 
@@ -79,7 +89,9 @@ Sized with_rounder_faces(const Model& model, Sized given, SizeMemo& memo) {
 double most_for(const Model& model, const Sized& given) {
   const double most = kShareOfMost * most_by_default(model);
   if (most <= kUsualMost || given.elements <= kUsualMost) return kUsualMost;
-  return std::clamp(estimated_elements(model, coarsened(given.plan, kCoarsestScale)), kUsualMost, most);
+  const SizePlan coarser = coarsened(given.plan, kCoarsestScale);
+  return std::clamp(elements_or_countless([&] { return estimated_elements(model, coarser); }), kUsualMost,
+                    most);
 }
 
 }  // namespace
@@ -111,9 +123,10 @@ double log_scale_for(const Model& model, const std::function<SizePlan(double)>& 
   constexpr int kMostTrees = 8;
   double x = start, slope = kSlope, last_x = 0.0, last_y = 0.0;
   for (int i = 0; i < kMostTrees; ++i) {
-    const double y = std::log(estimated_elements(model, sizes(x)));
+    const double y = std::log(elements_or_countless([&] { return estimated_elements(model, sizes(x)); }));
     if (std::abs(y - log_elements) < near) break;
-    if (i > 0 && std::abs(x - last_x) > 1e-6) slope = std::clamp((y - last_y) / (x - last_x), -4.0, -1.0);
+    if (i > 0 && std::abs(x - last_x) > 1e-6 && std::isfinite(y) && std::isfinite(last_y))
+      slope = std::clamp((y - last_y) / (x - last_x), -4.0, -1.0);
     last_x = x;
     last_y = y;
     x += std::clamp((log_elements - y) / slope, -1.5, 1.5);
@@ -135,6 +148,9 @@ MeshOptions with_default_size(const Model& model, const MeshOptions& options, Si
   chosen.suit_curvature = true;
   if (options.small_regions) chosen.region_scale = 1.0;
   if (!has_free_sizes(options)) return chosen;
+  // Whoever asks for elements across walls means them, but no mesh without a size has more elements than
+  // this: sizes would grow until a 32nd of them left no more.
+  if (options.wall_budget == 0.0) chosen.wall_budget = kShareOfMost * most_by_default(model);
   SizeMemo own;
   SizeMemo& known = memo != nullptr ? *memo : own;  // a circle's elements change neither walls nor gaps
   Sized first = sized(model, chosen, known);

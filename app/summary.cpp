@@ -164,8 +164,7 @@ std::string mesh_summary(const Model& model, const MeshReport& report) {
   text += note_lines(model, report);
   if (!report.warnings.empty())
     text += fmt::format(
-        "  warnings {}: the part is open there by more than a twentieth of the size, or its boundary meets "
-        "itself\n{}",
+        "  warnings {}: the part is a danger to the mesh there at this size, or a wish is not met\n{}",
         report.warnings.size(), fault_lines(model, report.warnings));
   if (report.status == MeshStatus::kComplete)
     return text + fmt::format("  status   complete: all {} claims hold\n", report.acceptance.claims.size());

@@ -79,6 +79,10 @@ std::string note_of_miss(const Model& model, const MeshReport& report, const std
 MeshResult mesh_to_target(const Model& model, const MeshOptions& options,
                           const std::function<MeshResult(const MeshOptions&)>& mesh, SizeMemo* memo) {
   const double target = options.target_elements;
+  if (target > static_cast<double>(options.max_elements))
+    throw LimitError(
+        fmt::format("{:.6g} elements to aim at are more than the limit of {}: raise --max-elements", target,
+                    options.max_elements));
   const MeshOptions whole = with_default_size(model, options, memo);
   // A guess by volume first, so that no tree is far too large.
   double volume = 0.0;

@@ -118,6 +118,14 @@ TEST(BadSize, ALimitThatCannotBeRaisedIsNotSaidToBe) {
   EXPECT_EQ(run.err.find("raise"), std::string::npos) << run.err;
 }
 
+TEST(BadSize, PlacesFarTooFineAreRefusedByTheirOwnWordsBeforeTheyAreSampled) {
+  const std::string more = " elements, more than the limit of 2e+07: ask for about ";
+  expect_bad_options({"--size-at", "Face1=1e-6"}, "Face1=1e-6 asks for about ");
+  expect_bad_options({"--size-at", "Face1=1e-6"}, more);
+  expect_bad_options({"--size", "3", "--size-at", "box:0,0,0,50,50,50=0.01"}, more);
+  expect_bad_options({"--size-at", "Vertex1=1e-6"}, "Vertex1=1e-6 is too small");
+}
+
 TEST(BadUse, UnknownUnitFormatAndOptionAreRefused) {
   expect_bad_options({"--unit", "parsec"}, "parsec");
   expect_bad_options({"--format", "ply"}, "ply");
