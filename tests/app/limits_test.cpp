@@ -2,11 +2,16 @@
 // Limits of elements, options that make no sense, and runs that are to end.
 #include <gtest/gtest.h>
 
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
 #include <chrono>
+#include <gp_Ax2.hxx>
 #include <limits>
 
 #include "app/mesh_part.h"
 #include "geom/analytic.h"
+#include "geom/occt/from_shape.h"
 #include "geom/occt/read_part.h"
 #include "tests/app/program.h"
 
@@ -31,6 +36,23 @@ TEST(Limits, AFieldFarTooFineIsRefusedAtOnceAndItsPlaceIsNamed) {
   const std::string told = limit_told(analytic_box(Vec3(10, 6, 3)), options);
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
   EXPECT_EQ(told.find("sizes over space, 0.001 mm at "), 0u) << told;
+}
+
+TEST(Limits, AMeshThatIsThereIsNotGivenUpForAFinerOne) {
+  const TopoDS_Shape void_within =
+      BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(0.5, 0.5, 0.5), gp_Dir(0, 0, 1)), 0.01, 1.0).Shape();
+  const Model model =
+      model_from_shape(BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(2.0, 2.0, 2.0).Shape(), void_within).Shape());
+  MeshOptions options;
+  options.size = 0.6;
+  options.curvature_angle = options.wall_elements = options.gap_elements = 0.0;
+  options.short_edges = false;
+  options.max_elements = 100'000;
+  const MeshResult result = mesh_part(model, options);
+  ASSERT_EQ(result.report.status, MeshStatus::kIncomplete);
+  EXPECT_GT(result.mesh.tets.size(), 0u);
+  ASSERT_FALSE(result.report.faults.empty());
+  EXPECT_NE(result.report.faults.back().cause.find("more than the limit"), std::string::npos);
 }
 
 TEST(Limits, ElementsAcrossWallsThatNoDefaultSizeGivesAreTold) {
