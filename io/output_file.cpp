@@ -40,7 +40,7 @@ OutputFile::OutputFile(const std::filesystem::path& target) : named_(target), ta
   if (std::filesystem::is_directory(status)) fail("it is a directory", 0);
   buffer_.reserve(kBufferSize);
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
-    file_ = std::fopen(target_.string().c_str(), "wb");
+    file_ = std::fopen(target_.string().c_str(), "wbe");
     if (file_ == nullptr) fail("it cannot be opened", errno);
   } else {
     open_beside_target();
@@ -49,11 +49,12 @@ OutputFile::OutputFile(const std::filesystem::path& target) : named_(target), ta
 }
 
 void OutputFile::open_beside_target() {
-  // The mode "x" fails when the name exists: two runs, or the remains of a killed one, cannot collide.
+  // The mode "e" keeps the file from programs that the host starts; "x" fails when the name exists: two runs,
+  // or the remains of a killed one, cannot collide.
   for (int i = 0; i < kNamesTried; ++i) {
     auto name = target_;
     name += fmt::format(".part{}", i);
-    file_ = std::fopen(name.string().c_str(), "wbx");
+    file_ = std::fopen(name.string().c_str(), "wbxe");
     if (file_ != nullptr) {
       temporary_ = name;
       return;

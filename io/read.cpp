@@ -23,7 +23,7 @@ struct CloseFile {
 std::string file_bytes(const std::filesystem::path& path) {
   std::error_code error;
   if (std::filesystem::is_directory(path, error)) throw InputError("it is a directory");
-  const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.string().c_str(), "rb"));
+  const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.string().c_str(), "rbe"));
   if (!file) throw InputError(std::generic_category().message(errno));
   std::string bytes;
   const auto size = std::filesystem::file_size(path, error);
