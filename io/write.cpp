@@ -10,7 +10,6 @@
 #include <optional>
 #include <span>
 
-#include "base/check.h"
 #include "base/error.h"
 #include "io/bdf_write.h"
 #include "io/exodus_write.h"
@@ -25,6 +24,7 @@
 #include "io/unv_write.h"
 #include "io/vtu_write.h"
 #include "io/xdmf_write.h"
+#include "mesh/soundness.h"
 
 namespace octet {
 namespace {
@@ -109,9 +109,11 @@ std::vector<std::filesystem::path> written_files(const std::filesystem::path& pa
 
 void write_mesh(const std::filesystem::path& path, const Mesh& mesh, const ModelOutline& outline,
                 MeshFormat format, const WriteOptions& options) {
-  OCTET_CHECK(mesh.points.size() == mesh.point_on.size() && mesh.edges.size() == mesh.edge_on.size());
-  OCTET_CHECK(mesh.triangles.size() == mesh.triangle_on.size() && mesh.tets.size() == mesh.tet_in.size());
-  OCTET_CHECK(std::isfinite(options.scale) && options.scale > 0.0);
+  if (const std::string fault = check_mesh_arrays(mesh); !fault.empty())
+    throw InputError("the mesh cannot be written: " + fault);
+  if (!std::isfinite(options.scale) || options.scale <= 0.0)
+    throw InputError(
+        fmt::format("the scale of a mesh file must be a positive number, not {}", options.scale));
   OutputFile file(path);
   switch (format) {
     case MeshFormat::kMsh41Binary:

@@ -51,7 +51,8 @@ void check_format(MeshFormat format, int order);
                                                                MeshFormat format);
 
 /// Writes to a temporary name beside `path` and renames when whole. OutputError (with the reason) leaves no
-/// file. Same mesh, same bytes. So is every file of written_files.
+/// file. Same mesh, same bytes. So is every file of written_files. InputError, and no file, for a mesh whose
+/// arrays do not fit each other (check_mesh_arrays) or a scale that is not positive.
 void write_mesh(const std::filesystem::path& path, const Mesh& mesh, const ModelOutline& outline,
                 MeshFormat format, const WriteOptions& options = {});
 

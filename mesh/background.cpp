@@ -2,12 +2,14 @@
 // A tree of boxes; each node knows the smallest size below it, so that searches end early.
 #include "mesh/background.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numeric>
 
-#include "base/check.h"
+#include "base/error.h"
 
 namespace octet {
 namespace {
@@ -130,6 +132,20 @@ class SizeTree {
 
 bool is_size(double size) { return size > 0.0 && std::isfinite(size); }
 
+void require_fit(const Background& field) {
+  const bool by_tets = !field.tets.empty() && !field.tet_size.empty();
+  if (by_tets && field.tet_size.size() != field.tets.size())
+    throw InputError(
+        fmt::format("a field has {} sizes for {} tetrahedra", field.tet_size.size(), field.tets.size()));
+  if (!by_tets && field.point_size.size() != field.points.size())
+    throw InputError(
+        fmt::format("a field has {} sizes for {} points", field.point_size.size(), field.points.size()));
+  for (const auto& tet : field.tets)
+    if (*std::max_element(tet.begin(), tet.end()) >= field.points.size())
+      throw InputError(fmt::format("a tetrahedron of a field names point {} of {}",
+                                   *std::max_element(tet.begin(), tet.end()), field.points.size()));
+}
+
 }  // namespace
 
 Background scaled(Background field, double factor) {
@@ -140,6 +156,7 @@ Background scaled(Background field, double factor) {
 }
 
 SizeField background_field(const Background& background) {
+  require_fit(background);
   std::vector<Item> items;
   const auto& [points, tets, tet_size, point_size] = background;
   for (std::size_t t = 0; t < tets.size(); ++t) {
@@ -153,7 +170,6 @@ SizeField background_field(const Background& background) {
     if (is_size(item.size)) items.push_back(item);
   }
   if (tets.empty()) {
-    OCTET_CHECK(point_size.size() == points.size());
     for (std::size_t v = 0; v < points.size(); ++v)
       if (is_size(point_size[v]))
         items.push_back({{points[v], points[v], points[v], points[v]}, point_size[v]});

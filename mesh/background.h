@@ -28,7 +28,8 @@ struct Background {
 /// points) than the box's own diagonal, nothing is wanted. Sizes that are not positive and finite are left
 /// out.
 ///
-/// Requires tet_size or point_size to fit. Cost: O(log n) a box where sizes vary slowly; 60 bytes an element.
+/// InputError where tet_size or point_size do not fit, or a tetrahedron names a point that is not there.
+/// Cost: O(log n) a box where sizes vary slowly; 60 bytes an element.
 [[nodiscard]] SizeField background_field(const Background& background);
 
 }  // namespace octet

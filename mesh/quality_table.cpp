@@ -2,14 +2,18 @@
 // The shapes of a mesh's elements as distributions, and its worst elements by place and entity.
 #include "mesh/quality_table.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
+#include "base/error.h"
 #include "mesh/forbidden.h"
 #include "mesh/local_size.h"
 #include "mesh/quadratic.h"
+#include "mesh/soundness.h"
 
 namespace octet {
 namespace {
@@ -113,6 +117,10 @@ WorstTet tell(const Mesh& mesh, std::size_t t, const std::vector<char>& forbiddi
 }  // namespace
 
 QualityTable quality_table(const Mesh& mesh, std::span<const double> size, std::size_t worst_count) {
+  if (const std::string fault = check_mesh_arrays(mesh); !fault.empty())
+    throw InputError("the mesh cannot be measured: " + fault);
+  if (size.size() != mesh.points.size())
+    throw InputError(fmt::format("{} sizes are given for {} vertices", size.size(), mesh.points.size()));
   QualityTable table;
   table.tets = mesh.tets.size();
   const std::vector<char> forbidding = forbidding_vertices(mesh, size);

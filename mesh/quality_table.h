@@ -41,7 +41,7 @@ struct QualityTable {
 };
 
 /// `size` is the size asked for per vertex (model units), against which edges and walls are held. Requires
-/// the invariants of Mesh. O(n log n).
+/// the invariants of Mesh. InputError where arrays or `size` do not fit. O(n log n).
 [[nodiscard]] QualityTable quality_table(const Mesh& mesh, std::span<const double> size,
                                          std::size_t worst_count);
 

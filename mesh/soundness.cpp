@@ -40,6 +40,29 @@ std::string check_indices(const char* kind, const std::vector<std::array<Mesh::I
   return {};
 }
 
+template <std::size_t N>
+bool all_below(std::size_t count, const std::vector<std::array<Mesh::Index, N>>& numbers) {
+  return std::all_of(numbers.begin(), numbers.end(), [&](const auto& each) {
+    return std::all_of(each.begin(), each.end(), [&](const Mesh::Index i) { return i < count; });
+  });
+}
+
+std::string check_mid_arrays(const Mesh& mesh) {
+  const MidNodes& mid = mesh.mid;
+  if (mid.empty()) return {};
+  const std::size_t nodes = mid.points.size();
+  if (mid.on.size() != nodes || mid.between.size() != nodes)
+    return "nodes of second order differ in number from what they are on or between";
+  if (mid.of_edges.size() != mesh.edges.size() || mid.of_triangles.size() != mesh.triangles.size() ||
+      mid.of_tets.size() != mesh.tets.size())
+    return "some elements have nodes of second order and others have not";
+  const bool in_range =
+      all_below(mesh.points.size(), mid.between) && all_below(nodes, mid.of_triangles) &&
+      all_below(nodes, mid.of_tets) &&
+      std::all_of(mid.of_edges.begin(), mid.of_edges.end(), [&](const Mesh::Index i) { return i < nodes; });
+  return in_range ? "" : "the number of a node of second order is out of range";
+}
+
 /// A repeated vertex within an element, or two elements with the same vertices.
 template <std::size_t N>
 std::string check_twice(const char* kind, const std::vector<std::array<Mesh::Index, N>>& elements) {
@@ -172,6 +195,14 @@ std::string check_classification(const Mesh& mesh) {
 }
 
 }  // namespace
+
+std::string check_mesh_arrays(const Mesh& mesh) {
+  if (auto s = check_sizes(mesh); !s.empty()) return s;
+  const std::size_t n = mesh.points.size();
+  if (!all_below(n, mesh.edges) || !all_below(n, mesh.triangles) || !all_below(n, mesh.tets))
+    return "a vertex number is out of range";
+  return check_mid_arrays(mesh);
+}
 
 std::string check_mesh_soundness(const Mesh& mesh) {
   if (auto s = check_sizes(mesh); !s.empty()) return s;

@@ -9,6 +9,7 @@
 #include <bit>
 #include <cstring>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <sstream>
 #include <string>
@@ -315,11 +316,30 @@ TEST_F(Write, EntitiesTellBoxesAndBounds) {
   EXPECT_NE(text.find("\n1 0 0 0 3 2 1 1 1 6 "), std::string::npos);
 }
 
+TEST_F(Write, MeshesWhoseArraysDoNotFitAreRefused) {
+  Mesh whole = test::plain_box_mesh(1);
+  whole.mid = straight_mid_nodes(whole);
+  const auto refuses = [&](const std::function<void(Mesh&)>& spoil) {
+    Mesh broken = whole;
+    spoil(broken);
+    for (const MeshFormat format : {MeshFormat::kMsh41Binary, MeshFormat::kVtu, MeshFormat::kInp})
+      EXPECT_THROW(write_mesh(directory_ / "a", broken, {}, format), InputError);
+  };
+  refuses([](Mesh& m) { m.mid.of_tets.clear(); });
+  refuses([](Mesh& m) { m.mid.of_triangles.pop_back(); });
+  refuses([](Mesh& m) { m.mid.of_edges.clear(); });
+  refuses([](Mesh& m) { m.mid.of_tets[0][5] = 1000000; });
+  refuses([](Mesh& m) { m.mid.on.pop_back(); });
+  refuses([](Mesh& m) { m.mid.between.clear(); });
+  refuses([](Mesh& m) { m.triangles[0][1] = 1000000; });
+  EXPECT_EQ(file_count(), 0u);
+}
+
 TEST_F(Write, TheOldFileSurvivesAFailure) {
   put_bytes(directory_ / "a.msh", "old");
   Mesh broken = test::plain_box_mesh(1);
   broken.tet_in.pop_back();
-  EXPECT_THROW(write_mesh(directory_ / "a.msh", broken, {}, MeshFormat::kMsh41Binary), Bug);
+  EXPECT_THROW(write_mesh(directory_ / "a.msh", broken, {}, MeshFormat::kMsh41Binary), InputError);
   EXPECT_EQ(bytes_of(directory_ / "a.msh"), "old");
   EXPECT_EQ(file_count(), 1u);
 }

@@ -4,6 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+
+#include "base/error.h"
+
 namespace octet {
 namespace {
 
@@ -23,6 +27,18 @@ TEST(Background, ABoxGetsTheSmallestSizeOfTheElementsItMeets) {
   EXPECT_EQ(field(around(Vec3(0.1, 0.1, 0.1), 0.05)), 0.1);
   EXPECT_EQ(field(around(Vec3(0.6, 0.6, 0.6), 0.05)), 0.5);
   EXPECT_EQ(field(around(Vec3(0.4, 0.4, 0.4), 0.2)), 0.1);
+}
+
+TEST(Background, WhatDoesNotFitIsRefused) {
+  const auto refuses = [](const std::function<void(Background&)>& spoil) {
+    Background broken = two_tets();
+    spoil(broken);
+    EXPECT_THROW((void)background_field(broken), InputError);
+  };
+  refuses([](Background& b) { b.tets[1][0] = 5; });
+  refuses([](Background& b) { b.tet_size.pop_back(); });
+  refuses([](Background& b) { b.tet_size.clear(); });
+  refuses([](Background& b) { b.tets.clear(); });
 }
 
 TEST(Background, NothingIsWantedOutside) {

@@ -6,6 +6,7 @@
 
 #include <numeric>
 
+#include "base/error.h"
 #include "mesh/local_size.h"
 #include "mesh/mid_nodes.h"
 #include "tests/support/box_mesh.h"
@@ -51,6 +52,16 @@ TEST(QualityTable, TellsTheScaledJacobianOfElementsOfSecondOrder) {
   EXPECT_LT(bent.all.back().least, 0.99);
   EXPECT_GT(bent.all.back().least, 0.0);
   EXPECT_EQ(bent.all.back().count, mesh.tets.size());
+}
+
+TEST(QualityTable, SizesThatDoNotFitAreRefused) {
+  Mesh mesh = test::plain_box_mesh(4);
+  const std::vector<double> size(mesh.points.size(), 0.5);
+  EXPECT_THROW((void)quality_table(mesh, {size.data(), 1}, 1), InputError);
+  EXPECT_THROW((void)quality_table(mesh, {}, 1), InputError);
+  mesh.mid = straight_mid_nodes(mesh);
+  mesh.mid.of_tets.pop_back();
+  EXPECT_THROW((void)quality_table(mesh, size, 1), InputError);
 }
 
 TEST(QualityTable, TheWorstElementIsNamedWithItsEntities) {
