@@ -16,7 +16,8 @@ struct ImproveOptions {
 /// like a mesh of our own: body by body where mesh_part() meshes so, and incomplete where some of the part is
 /// in no mesh. Seams and degenerate edges, which other meshers take for edges of the part, are first given to
 /// their faces. Nodes in the middles of edges are put on the CAD anew. InputError when the mesh is no sound
-/// classified mesh of this model: the first claim that does not hold, and where. Throws what mesh_part throws.
+/// classified mesh of this model: the first claim that does not hold, and where. Throws what mesh_part()
+/// throws.
 [[nodiscard]] MeshResult improve_mesh(Mesh mesh, const Model& model, const ImproveOptions& options,
                                       Observer& observer);
 
