@@ -171,13 +171,7 @@ void add_info(CLI::App& app, InfoCommand& info) {
   const std::vector<CLI::Option*> all = sub.get_options();
   const std::vector<CLI::Option*> of_sizes(all.begin() + static_cast<std::ptrdiff_t>(others), all.end());
   for (CLI::Option* option : of_sizes) option->group("With --sizes");
-  CLI::Option* unit =
-      sub.add_option("--unit", info.unit, std::string("Unit of the sizes or places: ") + kUnitHelp)
-          ->type_name("UNIT")
-          ->group("With --sizes or --at");
-  sub.parse_complete_callback([sizes, at, unit, of_sizes] {
-    if (unit->count() > 0 && sizes->count() == 0 && at->count() == 0)
-      throw CLI::RequiresError(unit->get_name(), "--sizes or --at");
+  sub.parse_complete_callback([sizes, of_sizes] {
     for (const CLI::Option* option : of_sizes) {
       if (option->count() > 0 && sizes->count() == 0) throw CLI::RequiresError(option->get_name(), "--sizes");
     }
