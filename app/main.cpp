@@ -159,7 +159,8 @@ void add_info(CLI::App& app, InfoCommand& info) {
                      "Tell what is at a place, may be repeated: the nearest face, edge and vertex and the "
                      "region around, instead of the part (with --json or --entities: besides)")
           ->type_name("X,Y,Z")
-          ->allow_extra_args(false);
+          ->allow_extra_args(false)
+          ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   CLI::Option* sizes =
       sub.add_flag("--sizes", info.show_sizes,
                    "Print the size that each entity gets from the options of sizes, and why, instead")

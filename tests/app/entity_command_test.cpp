@@ -187,7 +187,6 @@ TEST(EntityCommand, RefusesWhatIsNoPlace) {
     EXPECT_EQ(run_octet({"info", model_file("box.step"), "--at=" + place}).exit_code, kExitBadInput) << place;
   EXPECT_NE(run_octet({"info", model_file("box.step"), "--at", "1,2"}).err.find("like 10,0,5"),
             std::string::npos);
-  EXPECT_EQ(run_octet({"info", model_file("box.step"), "--unit", "cm"}).exit_code, kExitBadInput);
   EXPECT_EQ(run_octet({"info", model_file("box.step"), "--sizes", "--at", "1,2,3"}).exit_code, kExitBadInput);
 }
 

@@ -65,9 +65,18 @@ TEST(ModelCheck, FacesWithoutFacetsAreTold) {
 
 TEST(ModelCheck, OpenFacetsAreTold) {
   ModelParts parts = pyramid();
-  parts.facets.triangles.pop_back();
-  parts.facets.face.pop_back();
-  parts.facets.uv.pop_back();
+  Facets& facets = parts.facets;
+  // Two of three pieces of the last facet.
+  const auto [a, b, c] = facets.triangles.back();
+  const std::array<Vec2, 3> uv = facets.uv.back();
+  const Vec2 middle = (uv[0] + uv[1] + uv[2]) / 3.0;
+  const auto m = static_cast<std::uint32_t>(facets.nodes.size());
+  facets.nodes.push_back((facets.nodes[a] + facets.nodes[b] + facets.nodes[c]) / 3.0);
+  facets.triangles.back() = {a, b, m};
+  facets.uv.back() = {uv[0], uv[1], middle};
+  facets.triangles.push_back({b, c, m});
+  facets.uv.push_back({uv[1], uv[2], middle});
+  facets.face.push_back(facets.face.back());
   EXPECT_EQ(check_model(Model(std::move(parts))), "Region 1: its facets are not closed");
 }
 

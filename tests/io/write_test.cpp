@@ -428,11 +428,15 @@ TEST_F(Read, ElementsOfBothOrdersAreRefused) {
 }
 
 TEST_F(Read, ANodeThatIsACornerAndAMiddleIsRefused) {
-  const Mesh mesh = crooked_second_order_mesh(1);
-  Mesh wrong = mesh;
-  wrong.mid.of_tets[2][3] =
-      static_cast<Mesh::Index>(-static_cast<std::int64_t>(mesh.points.size()));  // node 1
-  write_mesh(directory_ / "a", wrong, {}, MeshFormat::kVtu);
+  write_mesh(directory_ / "a", crooked_second_order_mesh(1), {}, MeshFormat::kMsh41Ascii);
+  std::istringstream lines(bytes_of(directory_ / "a"));
+  std::string wrong;
+  int tets = 0;
+  for (std::string line; std::getline(lines, line); wrong += line + "\n")
+    if (std::count(line.begin(), line.end(), ' ') == 10 && ++tets == 3)  // its number and ten nodes
+      line.replace(line.rfind(' ') + 1, std::string::npos, "1");
+  ASSERT_GE(tets, 3);
+  put_bytes(directory_ / "a", wrong);
   expect_refused(directory_ / "a", "is a corner and in the middle");
 }
 
