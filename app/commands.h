@@ -17,12 +17,12 @@ namespace octet {
 struct MeshCommand {
   std::filesystem::path part, report, dump_directory;
   std::vector<std::filesystem::path> outputs;  ///< at least one; the same mesh in each
-  ReadOptions reading;              ///< lengths in `unit`
-  SizeWords sizes;                  ///< in `unit`
-  std::vector<std::string> groups;  ///< NAME=PLACES; points in `unit`
-  std::string unit;                 ///< empty: millimetre
-  std::string format;               ///< empty: by each output's suffix
-  std::optional<int> threads;       ///< none: one per core
+  ReadOptions reading;                         ///< lengths in `unit`
+  SizeWords sizes;                             ///< in `unit`
+  std::vector<std::string> groups;             ///< NAME=PLACES; points in `unit`
+  std::string unit;                            ///< empty: millimetre
+  std::string format;                          ///< empty: by each output's suffix
+  std::optional<int> threads;                  ///< none: one per core
   std::optional<double> max_elements;
   bool finalize = true;
   FinalizeScope scope = FinalizeScope::kAll;

@@ -33,7 +33,7 @@ enum class LargeMesh {
 /// Sizes (geom/size_plan.h), and what else a run may be told.
 struct MeshOptions : SizeControl {
   double target_elements = 0.0;  ///< sizes are scaled to get about so many tetrahedra; 0: as they are
-  int threads = 1;  ///< at most; no more run than the machine has; same bytes for any number
+  int threads = 1;               ///< at most; no more run than the machine has; same bytes for any number
   bool finalize = true;
   std::array<double, 3> shift = kRootShift;   ///< of the part in the lattice: octree/root.h
   FinalizeScope scope = FinalizeScope::kAll;  ///< of finalization

@@ -43,7 +43,8 @@ void add_size_options(CLI::App& command, SizeWords& words) {
   number("--wall-elements", words.wall_elements, "Elements across walls; 0: off (default: 1)", "N");
   number("--gap-elements", words.gap_elements,
          "Elements across gaps and between near edges; 0: off (default: 1)", "N");
-  number("--growth", words.growth, "Largest ratio of neighbouring sizes, above 1 and up to 2 (default: 2)", "G");
+  number("--growth", words.growth, "Largest ratio of neighbouring sizes, above 1 and up to 2 (default: 2)",
+         "G");
   command.add_flag("--uniform", words.uniform, "The size everywhere: nothing finer for the part's own sake");
   command
       .add_option(
