@@ -230,10 +230,14 @@ TEST(Reading, WithThreadsTheInstalledHelperIsUsedAndIsolationMayBeRequired) {
         [&] { EXPECT_TRUE(read_part(sample_path("box"), options, installed).notes().empty()); });
   };
   EXPECT_EQ(read(OCTET_READER_PROGRAM), "");
-  if (::access("/usr/libexec/octet/octet-reader", X_OK) == 0) GTEST_SKIP() << "Octet is installed here";
-  EXPECT_NE(read("").find("octet-reader was not found"), std::string::npos);
+  // Where Octet is installed for all, its helper is found without a word of the package.
+  const bool found = ::access("/usr/libexec/octet/octet-reader", X_OK) == 0 ||
+                     ::access("/usr/local/libexec/octet/octet-reader", X_OK) == 0;
+  const std::string error = read("");
+  EXPECT_EQ(error.find("octet-reader was not found") != std::string::npos, !found) << error;
   options.require_isolation = false;
-  EXPECT_EQ(beside_a_thread([&] { EXPECT_EQ(read_part(sample_path("box"), options).notes().size(), 1u); }),
+  EXPECT_EQ(beside_a_thread(
+                [&] { EXPECT_EQ(read_part(sample_path("box"), options).notes().size(), found ? 0u : 1u); }),
             "");
   options.require_isolation = true;
   options.isolate = false;
