@@ -238,11 +238,6 @@ std::vector<std::vector<SizeAttribute>> attributes_of(const Model& model, const 
   return result;
 }
 
-void append_outside(const Model& model, std::vector<Fault>& faults) {
-  for (int f = 1; f <= model.count(2); ++f)
-    if (model.is_outside(f)) faults.push_back(not_meshed(model, f));
-}
-
 }  // namespace
 
 bool is_meshed_apart(const Model& model) {
@@ -272,7 +267,6 @@ MeshResult mesh_apart(const Model& model, const MeshOptions& options, Observer& 
     append_report(body, part.report, whole.report);
   }
   whole.report.quality = quality_summary(whole.mesh);
-  append_outside(model, whole.report.faults);
   if (!whole.report.faults.empty()) whole.report.status = MeshStatus::kIncomplete;
   return whole;
 }
@@ -296,7 +290,8 @@ Acceptance accept_as_meshed(const Mesh& mesh, const Model& model) {
 
 std::vector<Fault> faults_of_part(const Model& model) {
   std::vector<Fault> faults = model.parts().faults;
-  append_outside(model, faults);
+  for (int f = 1; f <= model.count(2); ++f)
+    if (model.is_outside(f)) faults.push_back(not_meshed(model, f));
   return faults;
 }
 

@@ -98,13 +98,15 @@ std::vector<GroupWords> group_words(const MeshCommand& command, const LengthUnit
   return words;
 }
 
-/// That of `octet adapt`. None where it cannot be read as a whole: a field by the tags of its elements needs
-/// less of it.
-std::optional<Mesh> solved_mesh(const fs::path& path, const LengthUnit& unit) {
+/// That of `octet adapt`. None where it cannot be read as a whole, for a field by the tags of its elements
+/// needs less of it: then a note says that it was not held against the part.
+std::optional<Mesh> solved_mesh(const fs::path& path, const LengthUnit& unit, std::string& note) {
   if (path.empty()) return std::nullopt;
   try {
     return read_mesh(path, unit.millimetres);
-  } catch (const InputError&) {
+  } catch (const InputError& error) {
+    if (!fs::exists(path)) throw;
+    note = fmt::format("whether the mesh is one of this part was not asked: {}", error.what());
     return std::nullopt;
   }
 }
@@ -113,7 +115,8 @@ int mesh_to_file(const MeshCommand& command, const MeshOptions& options, const L
                  const RunNames& names, const std::vector<MeshFormat>& formats) {
   Console console(console_options(command));
   const std::vector<GroupWords> groups = group_words(command, unit);
-  const std::optional<Mesh> solved = solved_mesh(command.sizes.field_mesh, unit);
+  std::string not_asked;
+  const std::optional<Mesh> solved = solved_mesh(command.sizes.field_mesh, unit, not_asked);
   const auto mesh = [&](const Model& part, LargeMesh large_mesh) {
     if (solved) require_mesh_of(*solved, part);
     static_cast<void>(groups_of(part, groups));  // what is nowhere is told before the work
@@ -124,6 +127,7 @@ int mesh_to_file(const MeshCommand& command, const MeshOptions& options, const L
   MeshedFile made = mesh_file(command.part, in_millimetres(command.reading, unit), mesh, console);
   const Model& model = made.model;
   MeshReport& report = made.result.report;
+  if (!not_asked.empty()) report.notes.push_back(not_asked);
 
   StageClock clock;
   console.stage("writing", 1.0);

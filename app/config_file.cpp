@@ -49,23 +49,22 @@ Setting json_setting(const std::string& key, const Json& value) {
   return setting;
 }
 
-/// JSON itself lets the last of equal keys stand.
-void refuse_equal_keys(const std::string& text) {
+/// With an error for equal keys, of which JSON itself lets the last stand.
+Json parsed(const std::string& text) {
   std::vector<std::set<std::string>> keys;
-  const auto look = [&keys](int, Json::parse_event_t event, const Json& parsed) {
+  const auto look = [&keys](int, Json::parse_event_t event, const Json& value) {
     if (event == Json::parse_event_t::object_start) keys.emplace_back();
     if (event == Json::parse_event_t::object_end) keys.pop_back();
-    if (event == Json::parse_event_t::key && !keys.back().insert(parsed.get<std::string>()).second)
-      throw InputError(fmt::format("\"{}\" stands in it twice", parsed.get<std::string>()));
+    if (event == Json::parse_event_t::key && !keys.back().insert(value.get<std::string>()).second)
+      throw InputError(fmt::format("\"{}\" stands in it twice", value.get<std::string>()));
     return true;
   };
-  const Json parsed = Json::parse(text, look);
+  return Json::parse(text, look);
 }
 
 std::vector<Setting> json_settings(const std::string& text) {
-  refuse_equal_keys(text);
   std::vector<Setting> settings;
-  const Json json = Json::parse(text);
+  const Json json = parsed(text);
   for (const auto& [key, value] : json.items()) settings.push_back(json_setting(key, value));
   return settings;
 }

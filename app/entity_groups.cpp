@@ -54,8 +54,7 @@ GroupWords parse_group(std::string_view text, double unit) {
     } catch (const InputError& error) {
       throw InputError(fmt::format("--group \"{}\": {}", text, error.what()));
     }
-    using Where = SizeAttribute::Where;
-    if (where.where == Where::kBox || where.where == Where::kBall || where.where == Where::kCylinder)
+    if (is_shape(where.where))
       throw InputError(
           fmt::format("--group \"{}\": a group is of entities, and \"{}\" is a piece of space", text, place));
     where.text = place;

@@ -11,12 +11,8 @@
 namespace octet {
 
 void check_options(const MeshOptions& options) {
-  if (options.threads < 1)
-    throw InputError(fmt::format("the number of threads must be at least 1, not {}", options.threads));
   if (options.order != 1 && options.order != 2)
     throw InputError(fmt::format("the order of elements must be 1 or 2, not {}", options.order));
-  if (!std::isfinite(options.size) || options.size < 0.0)
-    throw InputError(fmt::format("the size must be a positive number, not {}", options.size));
   const double target = options.target_elements;
   if (!std::isfinite(target) || (target != 0.0 && target < 1.0))
     throw InputError(fmt::format("the number of elements to aim at must be at least 1, not {}", target));

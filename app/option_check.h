@@ -6,7 +6,7 @@
 
 namespace octet {
 
-/// InputError with the option and what it must be. Sizes: geom/size_check.h.
+/// InputError with the option and what it must be. Sizes: geom/size_check.h; threads: app/usable_threads.h.
 void check_options(const MeshOptions& options);
 
 }  // namespace octet

@@ -583,7 +583,8 @@ MeshResult mesh_part(const Model& model, const MeshOptions& options, Observer& o
   MeshReport& report = result.report;
   add_size_notes(model, options, observer, report);
   add_rest(beside_stages(clock.lap({}), report.times), makings, report.times);
-  report.faults.insert(report.faults.begin(), model.parts().faults.begin(), model.parts().faults.end());
+  const std::vector<Fault> of_part = faults_of_part(model);
+  report.faults.insert(report.faults.begin(), of_part.begin(), of_part.end());
   if (!report.faults.empty()) report.status = MeshStatus::kIncomplete;
   return result;
 }

@@ -44,7 +44,7 @@ std::string note_of(const Model& model, const SizeAttribute& wish, const std::ve
     return fmt::format("\"{}\" is {:.4g} mm outside of {}; {} is nearest", wish.text, off,
                        box_text(model.box()), model.describe(selected_entities(model, wish).front()));
   }
-  if (wish.where != Where::kBox && wish.where != Where::kBall && wish.where != Where::kCylinder) return {};
+  if (!is_shape(wish.where)) return {};
   if (std::any_of(cells.begin(), cells.end(), [&](const Box3& cell) { return shape_meets(wish, cell); }))
     return {};
   return fmt::format("\"{}\" has no effect: it lies outside of {}", wish.text, box_text(model.box()));

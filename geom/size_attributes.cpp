@@ -160,6 +160,10 @@ SizeAttribute parse_size_attribute(std::string_view text, double unit) {
   return attribute;
 }
 
+bool is_shape(Where where) {
+  return where == Where::kBox || where == Where::kBall || where == Where::kCylinder;
+}
+
 bool shape_meets(const SizeAttribute& attribute, const Box3& box) {
   switch (attribute.where) {
     case Where::kBox:

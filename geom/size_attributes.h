@@ -56,6 +56,9 @@ struct SizeAttribute {
 /// The entities that an attribute names, ascending; empty for shapes. InputError when there are none.
 [[nodiscard]] std::vector<ModelRef> selected_entities(const Model& model, const SizeAttribute& attribute);
 
+/// Whether it is a piece of space, and names no entities.
+[[nodiscard]] bool is_shape(SizeAttribute::Where where);
+
 /// Whether the shape of a box, ball or cylinder attribute meets the box.
 [[nodiscard]] bool shape_meets(const SizeAttribute& attribute, const Box3& box);
 

@@ -46,12 +46,14 @@ void check_shape(const SizeAttribute& attribute) {
 
 void check_attribute(const SizeAttribute& attribute) {
   const Where where = attribute.where;
-  const bool is_shape = where == Where::kBox || where == Where::kBall || where == Where::kCylinder;
-  if (is_shape) check_shape(attribute);
-  if (!is_shape) check_dimension(attribute);
+  const bool in_space = is_shape(where);
+  if (in_space)
+    check_shape(attribute);
+  else
+    check_dimension(attribute);
   if (where == Where::kNearest && !attribute.a.allFinite()) refuse(attribute, "its place must be numbers");
   if (attribute.elements < 0) refuse(attribute, "a number of elements is a whole number from 1");
-  if (attribute.elements > 0 && (is_shape || attribute.dim != 1))
+  if (attribute.elements > 0 && (in_space || attribute.dim != 1))
     refuse(attribute, "numbers of elements are for edges");
   if (attribute.elements == 0 && !is_length(attribute.size))
     refuse(attribute, "the size must be a positive length");

@@ -41,10 +41,6 @@ ModelRef nearest(const Model& model, int dim, const Vec3& p) {
   return best;
 }
 
-bool is_shape(Where where) {
-  return where == Where::kBox || where == Where::kBall || where == Where::kCylinder;
-}
-
 /// Whether a part or an assembly that holds the region has such a name, or this use of it.
 bool holder_matches(const Model& model, int region, const std::string& pattern) {
   const std::vector<PartNode>& tree = model.provenance().tree;

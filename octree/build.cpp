@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "base/error.h"
+#include "geom/size_check.h"
 #include "octree/balance.h"
 #include "octree/gradation.h"
 #include "octree/octree.h"
@@ -100,7 +101,8 @@ void find_places(const Model& model, const Root& root, int level, const OctreeRe
 /// where its region or the field want smaller ones.
 class SplitRule {
  public:
-  SplitRule(const PlacedRoot& placed, const OctreeRequest& request) : placed_(placed), request_(request) {}
+  SplitRule(const PlacedRoot& placed, const OctreeRequest& request)
+      : placed_(placed), request_(request), field_(checked(request.field)) {}
 
   [[nodiscard]] bool may_split(int level) const {
     return level < placed_.level ||
@@ -120,17 +122,14 @@ class SplitRule {
 
  private:
   [[nodiscard]] double asked(const Box3& box) {
-    const double size = request_.field(box);
-    if (!(size > 0.0))
-      throw InputError(
-          fmt::format("a size over space must be a positive number, not {}: at ({:g}, {:g}, {:g})", size,
-                      box.centre().x(), box.centre().y(), box.centre().z()));
+    const double size = field_(box);
     if (size < least_.size) least_ = {size, box};
     return size;
   }
 
   const PlacedRoot& placed_;
   const OctreeRequest& request_;
+  SizeField field_;
   Wanted least_;
 };
 
