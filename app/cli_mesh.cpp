@@ -15,7 +15,6 @@
 
 #include "app/commands.h"
 #include "app/console.h"
-#include "app/element_estimate.h"
 #include "app/entity_groups.h"
 #include "app/exit_code.h"
 #include "app/length_unit.h"

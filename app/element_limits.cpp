@@ -6,7 +6,6 @@
 
 #include <cmath>
 
-#include "app/element_estimate.h"
 #include "app/octant_sizes.h"
 #include "geom/wish_cost.h"
 

@@ -71,19 +71,4 @@ std::string refusal_of(const FaceCrossing& crossing, const Model& part) {
       what, crossing.place.x(), crossing.place.y(), crossing.place.z());
 }
 
-std::optional<Fault> warning_of(const ThinnestWall& wall, const SizeControl& control) {
-  constexpr double kAsGood = 0.9;
-  const double n = control.wall_elements;
-  if (!(n > 1.0) || control.min_size > 0.0 || wall.wish >= kAsGood * wall.floor) return {};
-  const std::string why =
-      control.wall_budget > 0.0
-          ? fmt::format("walls of a mesh without a size may cost about {:.2g} elements", control.wall_budget)
-          : "sizes go down to a 32nd of the one asked for";
-  return Fault{wall.face > 0 ? model_face(wall.face) : ModelRef{}, wall.place,
-               fmt::format("elements across walls: {:.3g} asked for, about {:.2g} given where they are "
-                           "thinnest: {}",
-                           n, n * wall.wish / wall.floor, why),
-               control.wall_budget > 0.0 ? "give --size" : "set --min-size, or ask for a smaller size"};
-}
-
 }  // namespace octet

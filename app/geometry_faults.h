@@ -2,14 +2,12 @@
 // What the part's own faults do to a mesh, in words.
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "base/fault.h"
 #include "geom/face_crossings.h"
 #include "geom/face_touches.h"
 #include "geom/model.h"
-#include "geom/size_plan.h"
 #include "geom/wide_gaps.h"
 
 namespace octet {
@@ -26,9 +24,5 @@ inline constexpr const char* kMendCrossings = "mend the part where its faces cro
 [[nodiscard]] Fault fault_of(const FaceTouch& touch, const Model& part);
 /// Of a part that is far thinner than the size all over; `place`: about its middle.
 [[nodiscard]] Fault fault_of_coarseness(double size, const Vec3& place);
-
-/// That walls get fewer elements across than asked for; none where they get them, where the user's smallest
-/// size is why, or where one is asked for. Its place is the model's.
-[[nodiscard]] std::optional<Fault> warning_of(const ThinnestWall& wall, const SizeControl& control);
 
 }  // namespace octet

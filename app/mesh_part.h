@@ -63,7 +63,9 @@ struct MeshReport {
   double too_coarse = 0.0;
   double left_large = 0.0;  ///< elements of the mesh that was not made for LargeMesh::kNever; 0: none
   std::vector<Fault> faults;
-  std::vector<Fault> warnings;  ///< what is a danger at this size though the mesh may be complete: wide gaps
+  /// What is a danger at this size though the mesh may be complete: wide gaps, faces that cross; and walls
+  /// that get fewer elements across than asked for.
+  std::vector<Fault> warnings;
   std::vector<std::string> notes;  ///< wishes without effect, or not met, and why
   SizeShortfall shortfall;         ///< where the part is finer than the size asked for
   QualitySummary quality;

@@ -13,7 +13,6 @@
 
 #include "app/apart.h"
 #include "app/attempt.h"
-#include "app/element_estimate.h"
 #include "app/element_limits.h"
 #include "app/geometry_faults.h"
 #include "app/held_boundary.h"
@@ -158,9 +157,9 @@ class Run {
     result_.report.size = plan_.asked;
     for (const WideGap& gap : wide_gaps(part_, plan_.asked))
       result_.report.warnings.push_back(warning_of(gap, part_));
-    if (const auto warning = warning_of(plan_.thinnest_wall, options_)) {
-      result_.report.warnings.push_back(*warning);
-      result_.report.warnings.back().place = frame_.to_part(warning->place);
+    if (auto warning = warning_of(plan_.thinnest_wall, options_)) {
+      warning->place = frame_.to_part(warning->place);
+      result_.report.warnings.push_back(*std::move(warning));
     }
     refuse_crossings();
     octant_ = octant_request(plan_).size;

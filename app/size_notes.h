@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Wishes for sizes that can hardly be meant so.
+// Wishes for sizes that can hardly be meant so, or are not met.
 #pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "app/mesh_part.h"
 
@@ -11,7 +15,11 @@ namespace octet {
 /// outside of its box, a point to be nearest to that is farther from that box than a tenth of the diagonal.
 void add_size_notes(const Model& model, const MeshOptions& options, Observer& observer, MeshReport& report);
 
-/// The lines alone.
+/// That walls get fewer elements across than asked for; none where they get them, where the user's smallest
+/// size is why, or where one is asked for. Its place is the model's that was measured.
+[[nodiscard]] std::optional<Fault> warning_of(const ThinnestWall& wall, const SizeControl& control);
+
+/// The lines of add_size_notes() alone.
 [[nodiscard]] std::vector<std::string> size_notes(const Model& model, const MeshOptions& options);
 
 }  // namespace octet

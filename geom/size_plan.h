@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -39,6 +41,14 @@ struct SizeControl {
   std::function<bool()> cancelled;        ///< asked often; true ends planning with Cancelled; may be empty
 };
 
+/// No mesh has more: numbers of nodes and elements have 4 bytes.
+inline constexpr std::size_t kMostElements = std::numeric_limits<std::uint32_t>::max();
+
+/// What else to do about a limit of elements that is too low: nothing where there can be no higher one.
+[[nodiscard]] inline const char* or_raise(std::size_t max_elements) {
+  return max_elements < kMostElements ? ", or raise --max-elements" : "";
+}
+
 /// What one of the user's sizes asks for by itself (geom/wish_cost.h).
 struct WishCost {
   std::string wish;       ///< as the user wrote it; empty for none
@@ -58,9 +68,9 @@ struct SizePlan {
   std::vector<SizeReason> region_why;
   SizeField field;  ///< shapes and background; may be empty
   double growth = 2.0;
-  std::size_t max_elements = 20'000'000;  ///< of the control
-  std::function<bool()> cancelled;        ///< of the control
-  WishCost costliest;                     ///< of the attributes
+  std::size_t max_elements = SizeControl().max_elements;  ///< of the control
+  std::function<bool()> cancelled;                        ///< of the control
+  WishCost costliest;                                     ///< of the attributes
   ThinnestWall thinnest_wall;
 };
 

@@ -157,8 +157,8 @@ void check_wish(const Model& model, const SizeAttribute& attribute, const SizedE
 
 std::string too_costly(const WishCost& cost, std::size_t max_elements) {
   return cost.wish + " asks for about " + two_digits(cost.elements) + " elements, more than the limit of " +
-         two_digits(static_cast<double>(max_elements)) + ": ask for about " + cost.advice +
-         " there, or raise --max-elements";
+         two_digits(static_cast<double>(max_elements)) + ": ask for about " + cost.advice + " there" +
+         or_raise(max_elements);
 }
 
 }  // namespace octet

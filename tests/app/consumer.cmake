@@ -3,13 +3,7 @@
 #   cmake -D BUILD=<build tree> -D SOURCE=<consumer> -D COMPILER=<c++> -P consumer.cmake
 set(work ${BUILD}/consumer)
 file(REMOVE_RECURSE ${work}/installed ${work}/build)
-function(step)
-  execute_process(COMMAND ${ARGV} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
-  if(NOT result EQUAL 0)
-    message(FATAL_ERROR "${ARGV}\n${output}")
-  endif()
-  set(output "${output}" PARENT_SCOPE)
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/step.cmake)
 step(${CMAKE_COMMAND} --install ${BUILD} --prefix ${work}/installed)
 step(${CMAKE_COMMAND} -S ${SOURCE} -B ${work}/build -G Ninja -D CMAKE_BUILD_TYPE=Release
      -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_PREFIX_PATH=${work}/installed)

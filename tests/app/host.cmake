@@ -2,12 +2,7 @@
 # Configures tests/app/host, which has Octet within it, without what only the program and the tests need.
 #   cmake -D WORK=<folder> -D SOURCE=<host> -D OCTET=<source tree> -D COMPILER=<c++> -P host.cmake
 file(REMOVE_RECURSE ${WORK})
-function(step)
-  execute_process(COMMAND ${ARGV} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
-  if(NOT result EQUAL 0)
-    message(FATAL_ERROR "${ARGV}\n${output}")
-  endif()
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/step.cmake)
 step(${CMAKE_COMMAND} -E env --unset=CMAKE_BUILD_TYPE
      ${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK} -G Ninja -D OCTET=${OCTET} -D CMAKE_CXX_COMPILER=${COMPILER}
      -D CMAKE_INSTALL_INCLUDEDIR=headers -D CMAKE_DISABLE_FIND_PACKAGE_CLI11=ON

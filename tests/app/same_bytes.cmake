@@ -6,12 +6,7 @@ if(NOT COMPILER)
   message(FATAL_ERROR "clang++ was not found when the build was configured: install clang (scripts/install-packages "
                       "test does) and configure again; without it nothing says that both compilers agree")
 endif()
-function(step)
-  execute_process(COMMAND ${ARGV} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
-  if(NOT result EQUAL 0)
-    message(FATAL_ERROR "${ARGV}\nended with ${result}\n${output}")
-  endif()
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/step.cmake)
 step(${CMAKE_COMMAND} -S ${SOURCE} -B ${BUILD} -G Ninja -D CMAKE_BUILD_TYPE=Release
      -D CMAKE_CXX_COMPILER=${COMPILER} -D OCTET_TESTS=OFF)
 step(${CMAKE_COMMAND} --build ${BUILD} --target octet)

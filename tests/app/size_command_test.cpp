@@ -159,6 +159,10 @@ TEST(SizeCommand, AdaptRefusesAMeshOfAnotherPartAndTakesCoarseOnesOfThisOne) {
   const ProgramRun other = adapt(mesh("l_domain.step", "2", "1"), "box.step", {});
   EXPECT_EQ(other.exit_code, kExitBadInput);
   EXPECT_NE(other.err.find("the mesh is none of this part"), std::string::npos) << other.err;
+  EXPECT_EQ(adapt(out.file("none.msh"), "box.step", {}).exit_code, kExitBadInput);
+  write_bytes(out.file("view.msh"), "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n");
+  const ProgramRun unread = adapt(out.file("view.msh"), "box.step", {});
+  EXPECT_NE(unread.out.find("was not asked"), std::string::npos) << unread.out << unread.err;
   // In the same box, but with a hole of half its volume.
   const ProgramRun hollow =
       adapt(mesh("box_minus_ball.step", "0.5", "1"), "box_minus_ball.step", {"--unit", "inch"});

@@ -11,20 +11,13 @@
 namespace octet {
 namespace {
 
-AnalyticOptions tilted() {
-  AnalyticOptions options;
-  options.frame = test::tilted_frame();
-  options.deflection = 0.1;
-  return options;
-}
-
 Vec3 in_frame(const Vec3& p) { return test::tilted_frame().origin + test::tilted_frame().axes * p; }
 
 double off(const Vec3& centre, const Vec3& expected) { return (centre - in_frame(expected)).norm(); }
 
 TEST(Centroids, OfABoxAreTheMiddlesOfItsSides) {
   const Vec3 size(2, 3, 5);
-  const Model model = analytic_box(size, tilted());
+  const Model model = analytic_box(size, test::tilted());
   const Centroids centre = centroids(model);
   EXPECT_LT(off(centre.region[1], size / 2), 1e-12);
   for (int f = 1; f <= 6; ++f) {
@@ -35,27 +28,27 @@ TEST(Centroids, OfABoxAreTheMiddlesOfItsSides) {
 }
 
 TEST(Centroids, OfTwoBodiesAreThoseOfEach) {
-  const Centroids centre = centroids(analytic_two_boxes(Vec3(2, 3, 5), tilted()));
+  const Centroids centre = centroids(analytic_two_boxes(Vec3(2, 3, 5), test::tilted()));
   EXPECT_LT(off(centre.region[1], Vec3(1, 1.5, 2.5)), 1e-12);
   EXPECT_LT(off(centre.region[2], Vec3(3, 1.5, 2.5)), 1e-12);
 }
 
 TEST(Centroids, OfAWedgeAreAThirdOfTheWay) {
   const double angle = 0.8;
-  const Centroids centre = centroids(analytic_wedge(angle, 6.0, 4.0, tilted()));
+  const Centroids centre = centroids(analytic_wedge(angle, 6.0, 4.0, test::tilted()));
   EXPECT_LT(off(centre.region[1], Vec3(2.0 + 2.0 * std::cos(angle), 2.0 * std::sin(angle), 2.0)), 1e-12);
 }
 
 // Facets off by a tenth of the radius, whose own centres are off by far more.
 TEST(Centroids, OfRoundBodiesAreThoseOfTheExactSurface) {
-  const Model cone = analytic_cone(2.0, 8.0, tilted());
+  const Model cone = analytic_cone(2.0, 8.0, test::tilted());
   const Centroids centre = centroids(cone);
   EXPECT_LT(off(centre.region[1], Vec3(0, 0, 2.0)), 1e-5);
   for (int f = 1; f <= cone.count(2); ++f)
     EXPECT_LT(off(centre.face[static_cast<std::size_t>(f)], Vec3(0, 0, cone.is_plane(f) ? 0.0 : 8.0 / 3.0)),
               cone.is_plane(f) ? 1e-12 : 1e-5);
-  EXPECT_LT(off(centroids(analytic_ball(2.0, tilted())).region[1], Vec3::Zero()), 1e-5);
-  EXPECT_LT(off(centroids(analytic_torus(5.0, 2.0, tilted())).face[1], Vec3::Zero()), 1e-5);
+  EXPECT_LT(off(centroids(analytic_ball(2.0, test::tilted())).region[1], Vec3::Zero()), 1e-5);
+  EXPECT_LT(off(centroids(analytic_torus(5.0, 2.0, test::tilted())).face[1], Vec3::Zero()), 1e-5);
 }
 
 }  // namespace

@@ -11,13 +11,6 @@
 namespace octet {
 namespace {
 
-AnalyticOptions tilted() {
-  AnalyticOptions options;
-  options.frame = test::tilted_frame();
-  options.deflection = 0.1;
-  return options;
-}
-
 void expect_box(const Box3& box, const Vec3& centre, const Vec3& half) {
   EXPECT_LT((box.centre() - centre).norm(), 1e-9);
   EXPECT_LT((0.5 * box.size() - half).norm(), 1e-9);
@@ -31,7 +24,7 @@ Vec3 circle_reach(const Vec3& axis) {
 TEST(EntityBoxes, OfACylinderAreThoseOfItsEndsTogether) {
   const Frame frame = test::tilted_frame();
   const Vec3 axis = frame.axes.col(2);
-  const EntityBoxes boxes = entity_boxes(analytic_cylinder(2.0, 7.0, tilted()));
+  const EntityBoxes boxes = entity_boxes(analytic_cylinder(2.0, 7.0, test::tilted()));
   const Vec3 half = 2.0 * circle_reach(axis) + 3.5 * axis.cwiseAbs();
   expect_box(boxes.region[1], frame.origin + 3.5 * axis, half);
   Box3 sides;
@@ -43,18 +36,18 @@ TEST(EntityBoxes, OfACylinderAreThoseOfItsEndsTogether) {
 }
 
 TEST(EntityBoxes, OfASphereReachToWhereItTurnsBack) {
-  const EntityBoxes boxes = entity_boxes(analytic_ball(2.0, tilted()));
+  const EntityBoxes boxes = entity_boxes(analytic_ball(2.0, test::tilted()));
   expect_box(boxes.face[1], test::tilted_frame().origin, Vec3::Constant(2.0));
 }
 
 TEST(EntityBoxes, OfATorusReachToWhereItTurnsBack) {
-  const EntityBoxes boxes = entity_boxes(analytic_torus(5.0, 1.0, tilted()));
+  const EntityBoxes boxes = entity_boxes(analytic_torus(5.0, 1.0, test::tilted()));
   const Vec3 half = 5.0 * circle_reach(test::tilted_frame().axes.col(2)) + Vec3::Ones();
   expect_box(boxes.face[1], test::tilted_frame().origin, half);
 }
 
 TEST(EntityBoxes, OfEdgesAreTight) {
-  const Model model = analytic_cone(2.0, 5.0, tilted());
+  const Model model = analytic_cone(2.0, 5.0, test::tilted());
   const EntityBoxes boxes = entity_boxes(model);
   const Frame frame = test::tilted_frame();
   for (int e = 1; e <= model.count(1); ++e) {

@@ -45,6 +45,14 @@ inline Frame tilted_frame() {
   return frame;
 }
 
+/// Coarse facets of a body that lies askew.
+inline AnalyticOptions tilted() {
+  AnalyticOptions options;
+  options.frame = tilted_frame();
+  options.deflection = 0.1;
+  return options;
+}
+
 struct Sample {
   std::string name;
   Model model;
