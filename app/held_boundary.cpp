@@ -6,14 +6,14 @@
 #include <iterator>
 #include <utility>
 
-#include "app/narrow_gaps.h"
-
 namespace octet {
 
 const char* HeldBoundary::words() const {
-  if (tries_ <= kAroundFaults) return "the boundary near to itself around them";
-  if (tries_ == kEverywhere) return "the boundary near to itself";
-  return tries_ == kAllAroundFaults ? "the boundary around them" : "the whole boundary";
+  if (tries_ == kRooms) return "the boundary near to itself will keep to its faces";
+  if (tries_ <= kAroundFaults) return "the boundary near to itself around them will be held";
+  if (tries_ == kEverywhere) return "the boundary near to itself will be held";
+  return tries_ == kAllAroundFaults ? "the boundary around them will be held"
+                                    : "the whole boundary will be held";
 }
 
 void HeldBoundary::hold_more(std::span<const Vec3> places) {
@@ -28,7 +28,13 @@ bool HeldBoundary::hold_at_last(std::span<const Vec3> places) {
   return true;
 }
 
-bool HeldBoundary::find(const Mesh& mesh, const SizeAt& size_at) {
+bool HeldBoundary::find(const Mesh& mesh, const Octree& tree) {
+  if (!rooms_) rooms_.emplace(mesh, model_, tree);
+  if (tries_ == kRooms) {
+    if (!rooms_->empty()) return true;
+    ++tries_;
+  }
+  const auto size_at = [&](const Vec3& p) { return tree.spacing_at(p); };
   std::vector<Mesh::Index> found;
   if (tries_ == kAll) {
     found = boundary_vertices(mesh);
@@ -45,6 +51,11 @@ bool HeldBoundary::find(const Mesh& mesh, const SizeAt& size_at) {
   }
   found.swap(vertices_);
   return found != vertices_;
+}
+
+void HeldBoundary::find_anew(const Mesh& mesh, const Octree& tree) {
+  rooms_.reset();
+  spent_ = !find(mesh, tree);
 }
 
 }  // namespace octet

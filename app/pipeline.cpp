@@ -114,7 +114,7 @@ class Run {
           break;
         }
         extract();
-        if (held_.holds_any()) held_.find_anew(result_.mesh, spacing());
+        if (held_.holds_any()) held_.find_anew(result_.mesh, band_->tree);
       }
       improve();
       append_interior();
@@ -398,6 +398,8 @@ class Run {
     finalize_options.volume_beyond = deep_volumes(band_->tree, band_->labels, band_->split, model_.count(3));
     finalize_options.size_at = [this](const Vec3& p) { return band_->tree.spacing_at(p); };
     finalize_options.held = held_.vertices();
+    if (const GapRooms* rooms = held_.rooms())
+      finalize_options.room_at = [rooms](const Vec3& p) { return rooms->at(p); };
     if (wish_) finalize_options.coarse_size_at = [this](const Vec3& p) { return wish_->spacing_at(p); };
     const FinalizeReport report = finalize(result_.mesh, model_, finalize_options, observer_);
     observer_.note(describe(report));
@@ -416,9 +418,6 @@ class Run {
 
   /// That of the mesh.
   [[nodiscard]] const Octree& tree() const { return band_ ? band_->tree : *tree_; }
-  [[nodiscard]] HeldBoundary::SizeAt spacing() const {
-    return [this](const Vec3& p) { return tree().spacing_at(p); };
-  }
 
   /// The tree for another try; none where there is no fault, where gaps have had their tries already, where
   /// what is kept will do, and where smaller octants have not helped a tree that is large.
@@ -428,8 +427,8 @@ class Run {
     if (options_.finalize && held_.is_hopeful()) {
       const std::vector<Vec3> places = places_at_fault();
       held_.hold_more(places);
+      again_ = begun_ && held_.find(begun_->mesh, tree());
       note_held(places.size());
-      again_ = begun_ && held_.find(begun_->mesh, spacing());
       return again_ ? std::nullopt : std::optional(tree());
     }
     const bool hopeful = better || second_tries_ == 0 || tree().size() <= kCheapTree;
@@ -444,13 +443,13 @@ class Run {
     const std::vector<Vec3> places = places_at_fault();
     while (begun_ && held_.hold_at_last(places)) {
       note_held(places.size());
-      if (held_.find(begun_->mesh, spacing())) return true;
+      if (held_.find(begun_->mesh, tree())) return true;
     }
     return false;
   }
 
   void note_held(std::size_t faults) {
-    observer_.note(fmt::format("faults at {} places: {} will be held", faults, held_.words()));
+    observer_.note(fmt::format("faults at {} places: {}", faults, held_.words()));
   }
 
   /// Where claims fail, in the model's own frame.

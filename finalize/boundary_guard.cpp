@@ -31,6 +31,7 @@ constexpr double kFlatSag = 0.03;
 /// shear, and any nearer bound refuses half of all swaps there (a plug's rounded rim: 12 degrees in place of
 /// 31).
 constexpr double kFitGrowth = 1.05;
+constexpr double kNothing = -1.0;  // a bound of sagittae
 /// Error allowed of a region's volume and of all faces' areas, as a share of it, or of the error that was
 /// there: where the chords of round faces alone err by more, any smaller bound would refuse half of all moves
 /// (a torus stayed at 18 degrees in place of 29). A share of 2e-3 made no better shapes, and errors of 2.6e-4
@@ -277,13 +278,18 @@ Fit BoundaryGuard::fit(const std::array<Vec3, 3>& points, const std::array<Vec3,
   return result;
 }
 
-Fit BoundaryGuard::bound(const Fit& before, double size) const {
+Fit BoundaryGuard::bound(const Fit& before, double size, double room) const {
   const double chord = std::clamp(before.bend * size * size / 8.0, kFlatSag * size, kSagBound * size);
   const auto grown = [](double from, double at_first) {
     return std::max(from, kFitGrowth * std::min(from, at_first));
   };
+  const double sag = std::max(grown(before.sag, before.sag_at_first), std::min(chord, at_first_.sag));
   return {std::max(grown(before.turn, before.turn_at_first), kTurnBound),
-          std::max(grown(before.sag, before.sag_at_first), std::min(chord, at_first_.sag))};
+          before.sag > room ? kNothing : std::min(sag, room)};
+}
+
+double BoundaryGuard::piece_bound(double before, double room) const {
+  return before > room ? kNothing : std::min(std::max(at_first_.sag, before), room);
 }
 
 double BoundaryGuard::area_error_by(const MeasureChange& c) const {

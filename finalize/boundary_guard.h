@@ -99,8 +99,9 @@ class BoundaryGuard {
   /// The worst that triangles made from ones of fit `before` may have, where the local size is `size`: as far
   /// from the face as before or a twentieth more, as long as the face had such at first, or as an edge of
   /// that size is at the curvature there.
-  /// What was nearer never gets farther than the farthest of the whole part at first, and a twentieth more.
-  [[nodiscard]] Fit bound(const Fit& before, double size) const;
+  /// What was nearer never gets farther than the farthest of the whole part at first, and a twentieth more,
+  /// nor than `room`; what was farther than that is to stay (nothing is within the bound).
+  [[nodiscard]] Fit bound(const Fit& before, double size, double room) const;
   [[nodiscard]] static bool within(const Fit& fit, const Fit& bound) {
     return fit.turn <= bound.turn && fit.sag <= bound.sag;
   }
@@ -111,9 +112,8 @@ class BoundaryGuard {
   [[nodiscard]] double piece_sag(int edge, const OnEdge& from, const OnEdge& to) const;
   /// The same in the mesh; `tag` as `piece_on` has it.
   [[nodiscard]] double piece_sag(const WorkMesh& mesh, VertexId a, VertexId b, std::int32_t tag) const;
-  /// The farthest that faces and edges were from the mesh at first, by estimated sagittae, and a twentieth
-  /// more.
-  [[nodiscard]] double most_sag() const { return at_first_.sag; }
+  /// The same for pieces of a model edge made from ones that were `before` from it.
+  [[nodiscard]] double piece_bound(double before, double room) const;
 
   /// Whether volumes and areas may change so: each region's volume nearer to the exact one, or within a small
   /// share of it, or a tenth beyond the error that was there at first; the same of the sum of the faces'

@@ -147,7 +147,9 @@ bool draft_triangles(Workshop& shop, VertexId gone, VertexId kept, const std::ve
   }
   // Not the longest edge alone: collapse by collapse it would grow, and the distance allowed with it.
   const double size = curved ? std::min(longest, shop.options.size_at(mesh.points[gone])) : longest;
-  if (!BoundaryGuard::within(draft.after, shop.guard.bound(draft.before, size))) return false;
+  if (!BoundaryGuard::within(draft.after,
+                             shop.guard.bound(draft.before, size, shop.room_at(mesh.points[gone]))))
+    return false;
   if (!curved) {
     draft.changes.clear();
     return true;
@@ -216,18 +218,19 @@ bool collapse(Workshop& shop, VertexId gone, VertexId kept, double floor, bool f
   std::vector<std::array<VertexId, 2>> removed_pieces;
   std::vector<NewPiece> added_pieces;
   if (mesh.on[gone].dim == 1) {
-    double most_sag = shop.guard.most_sag();
+    double sag = 0.0;
     for (const VertexId v : neighbourhood(mesh, gone, tets).all) {
       const std::int32_t tag = piece_on(mesh, gone, v);
       if (tag == 0) continue;
       removed_pieces.push_back({gone, v});
-      most_sag = std::max(most_sag, shop.guard.piece_sag(mesh, gone, v, tag));
+      sag = std::max(sag, shop.guard.piece_sag(mesh, gone, v, tag));
       if (v == kept) continue;
       added_pieces.push_back(tag > 0 ? NewPiece{kept, v, tag} : NewPiece{v, kept, -tag});
       if (cuts_a_bend(shop, added_pieces.back())) return false;
     }
+    const double bound = shop.guard.piece_bound(sag, shop.room_at(mesh.points[gone]));
     if (std::any_of(added_pieces.begin(), added_pieces.end(), [&](const NewPiece& piece) {
-          return shop.guard.piece_sag(mesh, piece.from, piece.to, piece.edge) > most_sag;
+          return shop.guard.piece_sag(mesh, piece.from, piece.to, piece.edge) > bound;
         }))
       return false;
   }

@@ -183,7 +183,8 @@ bool swap_fits(const Workshop& shop, const SurfaceSwap& swap) {
   if (!shop.guard.planar(swap.before[0].face)) {
     longest = std::min(longest, shop.options.size_at(shop.mesh.points[swap.before[0].vertices[0]]));
   }
-  return BoundaryGuard::within(after, shop.guard.bound(before, longest));
+  const double room = shop.room_at(shop.mesh.points[swap.before[0].vertices[0]]);
+  return BoundaryGuard::within(after, shop.guard.bound(before, longest, room));
 }
 
 /// The chord from the first to the last vertex must be new, or, where it is the far edge of a tetrahedron

@@ -44,6 +44,10 @@ struct FinalizeOptions {
   std::vector<double> volume_beyond;  ///< of what is not given, per region tag; empty: nothing
   /// Local mesh size asked for at a place (model units); required.
   std::function<double(const Vec3&)> size_at;
+  /// How far the boundary may come off its faces and edges at a place (model units): where sheets of it are
+  /// near to each other, nothing else keeps them from crossing. What is farther off already stays as it is:
+  /// it may be so on both sides of the gap. Empty: as far as elsewhere.
+  std::function<double(const Vec3&)> room_at;
   /// Where octants were made smaller than asked for, the size asked for; empty: nowhere. Once the shapes are
   /// good, the short edges of that size are collapsed as well, as far as the shapes stay good.
   std::function<double(const Vec3&)> coarse_size_at;

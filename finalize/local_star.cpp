@@ -74,9 +74,9 @@ void local_bases(const WorkMesh& mesh, VertexId v, std::span<const TetId> tets, 
 }
 
 /// A piece is in at least one triangle with either end.
-void local_pieces(const Workshop& shop, VertexId v, LocalStar& star) {
+void local_pieces(const Workshop& shop, VertexId v, double room, LocalStar& star) {
   std::array<VertexId, 2> ends;
-  star.piece_bound = shop.guard.most_sag();
+  double sag = 0.0;
   for (const StarTriangle& triangle : star.triangles)
     for (const VertexId end : triangle.rim) {
       if (end == ends[0] || end == ends[1] || star.piece_ends.size() == ends.size()) continue;
@@ -84,8 +84,9 @@ void local_pieces(const Workshop& shop, VertexId v, LocalStar& star) {
       if (tag == 0) continue;
       ends[star.piece_ends.size()] = end;
       star.piece_ends.push_back(shop.guard.on_edge(shop.mesh, end, star.on.tag, tag > 0));
-      star.piece_bound = std::max(star.piece_bound, shop.guard.piece_sag(shop.mesh, v, end, tag));
+      sag = std::max(sag, shop.guard.piece_sag(shop.mesh, v, end, tag));
     }
+  star.piece_bound = shop.guard.piece_bound(sag, room);
 }
 
 void leave_out_triangles(LocalStar& star) {
@@ -103,8 +104,9 @@ void local_triangles(const Workshop& shop, VertexId v, std::span<const TetId> te
     if (shop.guard.planar(triangle.face)) continue;
     before.add(shop.guard.fit(shop.mesh, triangle.face, {v, triangle.rim[0], triangle.rim[1]}));
   }
-  dress_triangles(shop, star, before, star.length);
-  if (star.on.dim == 1) local_pieces(shop, v, star);
+  const double room = shop.room_at(shop.mesh.points[v]);
+  dress_triangles(shop, star, before, star.length, room);
+  if (star.on.dim == 1) local_pieces(shop, v, room, star);
 }
 
 void local_star(const Workshop& shop, VertexId v, std::span<const TetId> tets, LocalStar& star) {
@@ -112,8 +114,8 @@ void local_star(const Workshop& shop, VertexId v, std::span<const TetId> tets, L
   local_triangles(shop, v, tets, star);
 }
 
-void dress_triangles(const Workshop& shop, LocalStar& star, const Fit& before, double size) {
-  star.bound = shop.guard.bound(before, size);
+void dress_triangles(const Workshop& shop, LocalStar& star, const Fit& before, double size, double room) {
+  star.bound = shop.guard.bound(before, size, room);
   star.piece_ends.clear();
   star.rims.clear();
   star.normals.clear();

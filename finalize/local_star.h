@@ -54,8 +54,9 @@ void local_bases(const WorkMesh& mesh, VertexId v, std::span<const TetId> tets, 
 void local_triangles(const Workshop& shop, VertexId v, std::span<const TetId> tets, LocalStar& star);
 /// In place of the latter where all triangles lie in a plane, which they then neither turn in nor leave.
 void leave_out_triangles(LocalStar& star);
-/// Fills rims, normals, faces from `triangles`; `before` is the fit of the triangles to be replaced.
-void dress_triangles(const Workshop& shop, LocalStar& star, const Fit& before, double size);
+/// Fills rims, normals, faces from `triangles`; `before` is the fit of the triangles to be replaced, `room`
+/// that of the workshop there.
+void dress_triangles(const Workshop& shop, LocalStar& star, const Fit& before, double size, double room);
 
 /// How the vertex of the mesh stands now.
 [[nodiscard]] Stand current_stand(const Workshop& shop, VertexId v, const LocalStar& star);

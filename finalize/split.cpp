@@ -54,7 +54,7 @@ LocalStar future_star(const Workshop& shop, const EdgeRing& ring, ModelRef on) {
     star.triangles.push_back({std::abs(tag), {ring.rim[i], x}});
     star.triangles.push_back({std::abs(tag), {y, ring.rim[i]}});
   }
-  if (on.dim < 3) dress_triangles(shop, star, before, star.length);
+  if (on.dim < 3) dress_triangles(shop, star, before, star.length, shop.room_at(0.5 * (a + b)));
   return star;
 }
 

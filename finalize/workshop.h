@@ -3,6 +3,7 @@
 #pragma once
 
 #include <chrono>
+#include <limits>
 
 #include "finalize/boundary_guard.h"
 #include "finalize/finalize.h"
@@ -69,6 +70,9 @@ struct Workshop {
 
   [[nodiscard]] double size_at(const Vec3& p) const {
     return (coarsening ? options.coarse_size_at : options.size_at)(p);
+  }
+  [[nodiscard]] double room_at(const Vec3& p) const {
+    return options.room_at ? options.room_at(p) : std::numeric_limits<double>::infinity();
   }
 };
 

@@ -11,10 +11,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 
 #include "app/mesh_part.h"
 #include "geom/occt/from_shape.h"
+#include "octree/octree.h"
 
 namespace octet {
 namespace {
@@ -34,12 +36,17 @@ TopoDS_Shape block(double slit) {
   return BRepAlgoAPI_Cut(slitted, ring(1.0 + 2.0 * slit, 2.5)).Shape();
 }
 
-std::vector<Vec3> found_in(double slit, std::span<const Vec3> around = {}) {
-  const Model model = model_from_shape(block(slit));
+MeshOptions as_begun() {
   MeshOptions options;
   options.size = 1.0;
+  options.gap_elements = 0.0;
   options.finalize = false;
-  const Mesh mesh = mesh_part(model, options).mesh;
+  return options;
+}
+
+std::vector<Vec3> found_in(double slit, std::span<const Vec3> around = {}) {
+  const Model model = model_from_shape(block(slit));
+  const Mesh mesh = mesh_part(model, as_begun()).mesh;
   std::vector<Vec3> places;
   for (const Mesh::Index v : vertices_at_gaps(
            mesh, model, [](const Vec3&) { return 1.0; }, around))
@@ -74,12 +81,29 @@ TEST(NarrowGaps, NoneBetweenPlanes) {
   const TopoDS_Shape whole = BRepPrimAPI_MakeBox(gp_Pnt(0, 0, 0), gp_Pnt(6, 4, 4)).Shape();
   const TopoDS_Shape slit = BRepPrimAPI_MakeBox(gp_Pnt(2, -1, 1), gp_Pnt(2.05, 5, 5)).Shape();
   const Model model = model_from_shape(BRepAlgoAPI_Cut(whole, slit).Shape());
-  MeshOptions options;
-  options.size = 1.0;
-  options.finalize = false;
-  const Mesh mesh = mesh_part(model, options).mesh;
+  const Mesh mesh = mesh_part(model, as_begun()).mesh;
   for (const Mesh::Index v : vertices_at_gaps(mesh, model, [](const Vec3&) { return 1.0; }))
     EXPECT_LT(mesh.point_on[v].dim, 2) << "edges alone";
+}
+
+TEST(GapRooms, AreLessThanTheSlitOnBothItsSidesAndEndlessElsewhere) {
+  constexpr double kSlit = 0.05;
+  const Model model = model_from_shape(block(kSlit));
+  const Octree tree = build_octree(model, {.size = 1.0}, {});
+  const GapRooms rooms(mesh_part(model, as_begun()).mesh, model, tree);
+  for (const double radius : {1.0, 1.0 + kSlit})
+    for (const double angle : {0.1, 1.3, 2.9, 4.4}) {
+      const double room = rooms.at({3.0 + radius * std::cos(angle), 3.0 + radius * std::sin(angle), 2.0});
+      EXPECT_NEAR(room, 0.8 * kSlit, 1e-6);
+    }
+  EXPECT_EQ(rooms.at({0, 0, 0}), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(rooms.at({5.9, 5.9, 3.0}), std::numeric_limits<double>::infinity());
+}
+
+TEST(GapRooms, NoneInASlitAsWideAsAThirdOfTheSize) {
+  const Model model = model_from_shape(block(0.33));
+  const Octree tree = build_octree(model, {.size = 1.0}, {});
+  EXPECT_TRUE(GapRooms(mesh_part(model, as_begun()).mesh, model, tree).empty());
 }
 
 }  // namespace
