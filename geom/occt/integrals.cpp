@@ -2,6 +2,7 @@
 // Area of a face and its share of a solid's volume, integrated on the exact surface.
 #include "geom/occt/integrals.h"
 
+#include <BRepAdaptor_Surface.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2dAdaptor_Curve.hxx>
 #include <Geom2d_Curve.hxx>
@@ -14,7 +15,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "geom/occt/canonical.h"
@@ -42,19 +45,45 @@ struct Sum {
 
 double cross2(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
+using Corners = std::array<Vec2, 3>;
+
+/// The triangle on both sides of the line where its coordinate `axis` is `at`, which is within its own: three
+/// triangles, of which some may have no area.
+std::array<Corners, 3> cut(const Corners& t, Eigen::Index axis, double at) {
+  const auto is_below = [&](std::size_t i) { return t[i][axis] < at; };
+  std::size_t lone = 0;
+  while (is_below(lone) == is_below((lone + 1) % 3) || is_below(lone) == is_below((lone + 2) % 3)) ++lone;
+  const Vec2 &a = t[lone], &b = t[(lone + 1) % 3], &c = t[(lone + 2) % 3];
+  const auto on_line = [&](const Vec2& end) {
+    Vec2 p = a + (at - a[axis]) / (end[axis] - a[axis]) * (end - a);
+    p[axis] = at;
+    return p;
+  };
+  const Vec2 p = on_line(b), q = on_line(c);
+  return {{{a, p, q}, {p, b, c}, {p, c, q}}};
+}
+
 class Integrator {
  public:
-  Integrator(const Surface& surface, const Vec2& uv)
-      : jets_(occt_jets(surface)),
+  /// `breaks`: in u and in v, ascending, where the surface's first or second derivatives may jump.
+  Integrator(const Surface& surface, const Vec2& uv, std::array<std::vector<double>, 2> breaks)
+      : breaks_(std::move(breaks)),
+        jets_(occt_jets(surface)),
         origin_(jets_(uv, 0).p),
         linear_(std::string_view(surface.kind()) == "plane" && !is_recognised(surface)) {}
 
   [[nodiscard]] const Vec3& origin() const { return origin_; }
 
-  [[nodiscard]] Sum triangle(const Vec2& a, const Vec2& b, const Vec2& c) const {
-    if (!linear_) return split_unless_told({a, b, c}, fine({a, b, c}), 0);
+  [[nodiscard]] Sum triangle(const Corners& t) const {
     Sum total;
-    total.add(value((a + b + c) / 3.0), 0.5 * cross2(b - a, c - a));
+    if (linear_) {
+      total.add(value((t[0] + t[1] + t[2]) / 3.0), half_of(t));
+    } else if (const std::optional<Break> found = break_in(t)) {
+      // First of all: a corner beyond it, where no rule has a place, would go unseen.
+      for (const Corners& side : cut(t, found->axis, found->at)) total.add(triangle(side), 1.0);
+    } else {
+      total = split_unless_told(t, fine(t), 0);
+    }
     return total;
   }
 
@@ -83,8 +112,6 @@ class Integrator {
   }
 
  private:
-  using Corners = std::array<Vec2, 3>;
-
   static double half_of(const Corners& t) { return 0.5 * cross2(t[1] - t[0], t[2] - t[0]); }
 
   /// By the finer rule.
@@ -92,6 +119,27 @@ class Integrator {
     Sum sum;
     sum.add(degree_5(t[0], t[1], t[2]), half_of(t));
     return sum;
+  }
+
+  struct Break {
+    Eigen::Index axis = 0;
+    double at = 0.0;
+  };
+
+  /// The middle one of those that the triangle crosses most of; none where it crosses none.
+  [[nodiscard]] std::optional<Break> break_in(const Corners& t) const {
+    std::optional<Break> found;
+    std::ptrdiff_t most = 0;
+    for (const Eigen::Index axis : {0, 1}) {
+      const std::vector<double>& breaks = breaks_[static_cast<std::size_t>(axis)];
+      const auto [lo, hi] = std::minmax({t[0][axis], t[1][axis], t[2][axis]});
+      const auto first = std::upper_bound(breaks.begin(), breaks.end(), lo);
+      const auto count = std::lower_bound(first, breaks.end(), hi) - first;
+      if (count <= most) continue;
+      most = count;
+      found = Break{axis, first[count / 2]};
+    }
+    return found;
   }
 
   /// `whole`: what the finer rule makes of the triangle. Where the rules do not agree about it, and neither
@@ -144,6 +192,7 @@ class Integrator {
     return sum;
   }
 
+  std::array<std::vector<double>, 2> breaks_;
   std::function<SurfaceJet(const Vec2&, int)> jets_;
   Vec3 origin_;
   bool linear_;  ///< in (u,v): one place in the middle is exact
@@ -184,6 +233,19 @@ std::vector<double> smooth_stretches(const Handle(Geom2d_Curve) & pcurve, double
   return {ends.begin(), ends.end()};
 }
 
+/// Where the surface is less than twice differentiable in u and in v, ends included.
+std::array<std::vector<double>, 2> breaks_of(const TopoDS_Face& face) {
+  const BRepAdaptor_Surface surface(face);
+  std::array<std::vector<double>, 2> breaks;
+  TColStd_Array1OfReal in_u(1, surface.NbUIntervals(GeomAbs_C2) + 1),
+      in_v(1, surface.NbVIntervals(GeomAbs_C2) + 1);
+  surface.UIntervals(in_u, GeomAbs_C2);
+  surface.VIntervals(in_v, GeomAbs_C2);
+  breaks[0].assign(in_u.begin(), in_u.end());
+  breaks[1].assign(in_v.begin(), in_v.end());
+  return breaks;
+}
+
 void add_slivers(const TopoDS_Edge& edge, const TopoDS_Face& face,
                  const Handle(Poly_Triangulation) & triangulation, const TopLoc_Location& place,
                  const Integrator& integrator, Sum& total) {
@@ -220,19 +282,21 @@ FaceIntegrals integrate_face(const TopoDS_Face& face, const Surface& surface) {
   TopLoc_Location place;
   const Handle(Poly_Triangulation) triangulation = BRep_Tool::Triangulation(forward, place);
   if (triangulation.IsNull()) return {};
-  const Integrator integrator(surface, uv_node(*triangulation, 1));
+  const Integrator integrator(surface, uv_node(*triangulation, 1), breaks_of(forward));
+  const double side = face.Orientation() == TopAbs_REVERSED ? -1.0 : 1.0;
   Sum total;
   for (int i = 1; i <= triangulation->NbTriangles(); ++i) {
     int a = 0, b = 0, c = 0;
     triangulation->Triangle(i).Get(a, b, c);
-    total.add(integrator.triangle(uv_node(*triangulation, a), uv_node(*triangulation, b),
-                                  uv_node(*triangulation, c)),
+    total.add(integrator.triangle(
+                  {uv_node(*triangulation, a), uv_node(*triangulation, b), uv_node(*triangulation, c)}),
               1.0);
   }
   for (TopExp_Explorer it(forward, TopAbs_EDGE); it.More(); it.Next())
     add_slivers(TopoDS::Edge(it.Current()), forward, triangulation, place, integrator, total);
-  const double side = face.Orientation() == TopAbs_REVERSED ? -1.0 : 1.0;
-  return {std::abs(total.area), side * total.vector, integrator.origin(), side * total.moment};
+  const bool plane = std::string_view(surface.kind()) == "plane";
+  const double area = plane ? total.vector.norm() : std::abs(total.area);
+  return {area, side * total.vector, integrator.origin(), side * total.moment};
 }
 
 }  // namespace octet

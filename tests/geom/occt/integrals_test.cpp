@@ -10,16 +10,19 @@
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepLib.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2d_BSplineCurve.hxx>
+#include <Geom_BSplineSurface.hxx>
 #include <Geom_Plane.hxx>
 #include <Poly_PolygonOnTriangulation.hxx>
 #include <Poly_Triangulation.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array1OfPnt2d.hxx>
+#include <TColgp_Array2OfPnt.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
@@ -27,6 +30,7 @@
 #include <cmath>
 #include <gp.hxx>
 #include <utility>
+#include <vector>
 
 #include "geom/occt/canonical.h"
 #include "geom/occt/from_shape.h"
@@ -126,6 +130,51 @@ TEST(Integrals, OfAFaceWhoseSideIsASplineOfSeveralPieces) {
     }
   }
   EXPECT_NEAR(integrate_face(face, *make_surface(face, 1)).area, 50.0 + above, 1e-9);
+}
+
+/// Between x = 0 and 800 the plane y = 0 below z = 160 (s - s^3), s = x / 800, as IGES files have the ends of
+/// wings: 48 pieces of unlike widths side by side, as long as one another in the parameter.
+TopoDS_Face wing_end() {
+  constexpr int kPieces = 48;
+  const auto section = [](double s) { return gp_Pnt(800.0 * s, 0.0, 160.0 * (s - s * s * s)); };
+  const auto way = [](double s) { return gp_Vec(800.0, 0.0, 160.0 * (1.0 - 3.0 * s * s)); };
+  std::vector<double> ends{0.0};
+  for (int i = 0; i < kPieces; ++i) ends.push_back(ends.back() + (i % 3 == 0 ? 1.0 : i % 7 == 0 ? 9.0 : 3.0));
+  for (double& end : ends) end /= ends.back();
+  TColgp_Array2OfPnt poles(1, 3 * kPieces + 1, 1, 2);
+  TColStd_Array1OfReal along(1, kPieces + 1), across(1, 2);
+  TColStd_Array1OfInteger times(1, kPieces + 1), twice(1, 2);
+  across(1) = 0.0;
+  across(2) = 1.0;
+  twice.Init(2);
+  times.Init(3);
+  times(1) = times(kPieces + 1) = 4;
+  for (int i = 0; i <= kPieces; ++i) {
+    const double s = ends[static_cast<std::size_t>(i)];
+    along(i + 1) = i;
+    poles(3 * i + 1, 1) = section(s);
+    if (i == kPieces) break;
+    const double next = ends[static_cast<std::size_t>(i) + 1], third = (next - s) / 3.0;
+    poles(3 * i + 2, 1) = section(s).Translated(third * way(s));
+    poles(3 * i + 3, 1) = section(next).Translated(-third * way(next));
+  }
+  for (int i = 1; i <= 3 * kPieces + 1; ++i) poles(i, 2) = gp_Pnt(poles(i, 1).X(), 0.0, 0.0);
+  const Handle(Geom_BSplineSurface) surface =
+      new Geom_BSplineSurface(poles, along, across, times, twice, 3, 1);
+  return BRepBuilderAPI_MakeFace(surface, 1e-6);
+}
+
+TEST(Integrals, OfAPlaneThatIsASplineOfManyPieces) {
+  constexpr double kArea = 800.0 * 160.0 * (0.5 - 0.25), kHeight = 30.0;
+  const Model wing = model_from_shape(BRepPrimAPI_MakePrism(wing_end(), gp_Vec(0.0, kHeight, 0.0)).Shape());
+  int ends = 0;
+  for (int f = 1; f <= wing.count(2); ++f) {
+    if (!wing.is_plane(f) || wing.face(f).area < 25'000.0) continue;
+    ++ends;
+    EXPECT_NEAR(wing.face(f).area, kArea, 1e-9 * kArea);
+  }
+  EXPECT_EQ(ends, 2);
+  EXPECT_NEAR(wing.region(1).volume, kHeight * kArea, 1e-9 * kHeight * kArea);
 }
 
 }  // namespace
