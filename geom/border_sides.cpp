@@ -50,13 +50,25 @@ struct EdgeMatch {
   double t = 0.0, distance = kInfinity;
 };
 
-/// The edge among `edges` whose curve runs nearest to the side's middle.
+/// The edge among `edges` whose curve runs nearest to the side's middle, of those that its ends lie on where
+/// there are such: a long chord may come nearer to another edge than to its own, which runs beside it.
 EdgeMatch match(const ModelParts& parts, const std::vector<CurveSamples>& samples,
-                const std::vector<int>& edges, const Vec3& middle) {
+                const std::vector<int>& edges, const Vec3& a, const Vec3& b, double slack) {
+  const auto off_ends = [&](int e) {
+    if (edges.size() == 1) return 0.0;
+    const double off = std::max(samples[e].nearest(*parts.curves[e], a).distance,
+                                samples[e].nearest(*parts.curves[e], b).distance);
+    return std::max(off - parts.edges[e].tolerance - slack, 0.0);
+  };
   EdgeMatch best;
+  double least_off = kInfinity;
   for (const int e : edges) {
-    const CurveFoot foot = samples[e].nearest(*parts.curves[e], middle);
-    if (foot.distance < best.distance) best = {e, foot.t, foot.distance};
+    const double off = off_ends(e);
+    if (off > least_off) continue;
+    const CurveFoot foot = samples[e].nearest(*parts.curves[e], 0.5 * (a + b));
+    if (off == least_off && foot.distance >= best.distance) continue;
+    least_off = off;
+    best = {e, foot.t, foot.distance};
   }
   return best;
 }
@@ -107,13 +119,13 @@ std::vector<std::int32_t> vertex_nodes(const ModelParts& parts) {
 }
 
 /// The chord ends in the points of the model's vertices, which may lie off the curve.
-double reach_of(const ModelParts& parts, const BorderSides& border, const BorderSide& side,
-                double tolerance) {
+double off_at_ends(const ModelParts& parts, const BorderSides& border, std::uint32_t a, std::uint32_t b,
+                   double tolerance) {
   double vertex = 0.0;
-  for (const std::uint32_t node : {side.a, side.b})
+  for (const std::uint32_t node : {a, b})
     if (const std::int32_t v = border.node_vertex[node]; v > 0)
       vertex = std::max(vertex, parts.vertices[v].tolerance);
-  return parts.facets.edge_deviation[side.edge] + parts.edges[side.edge].tolerance + tolerance + vertex;
+  return tolerance + vertex;
 }
 
 }  // namespace
@@ -143,12 +155,13 @@ BorderSides find_border_sides(const ModelParts& parts, const std::vector<CurveSa
     if (one_face) candidates = slits[facets.face[uses[begin].triangle]];
     if (candidates.empty()) continue;
     const Vec3 &a = facets.nodes[uses[begin].a], &b = facets.nodes[uses[begin].b];
-    const EdgeMatch m = match(parts, samples, candidates, 0.5 * (a + b));
+    const double slack = off_at_ends(parts, border, uses[begin].a, uses[begin].b, tolerance);
+    const EdgeMatch m = match(parts, samples, candidates, a, b, slack);
     if (m.edge == 0 || (one_face && !lies_on(parts, m, a, b))) continue;
     for (std::size_t i = begin; i < end; ++i)
       border.of_triangle[uses[i].triangle][uses[i].corner] = static_cast<std::int32_t>(border.sides.size());
     BorderSide side{m.edge, m.t, uses[begin].a, uses[begin].b};
-    side.reach = reach_of(parts, border, side, tolerance);
+    side.reach = parts.facets.edge_deviation[m.edge] + parts.edges[m.edge].tolerance + slack;
     border.sides.push_back(side);
   }
   return border;

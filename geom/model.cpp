@@ -7,8 +7,10 @@
 #include <cmath>
 #include <limits>
 #include <string_view>
+#include <tuple>
 
 #include "base/check.h"
+#include "geom/facet_trim.h"
 #include "geom/model_data.h"
 
 namespace octet {
@@ -59,6 +61,45 @@ Vec3 Model::Data::facet_normal(std::uint32_t triangle) const {
 Vec3 Model::Data::normal(int face, const Vec2& uv, std::uint32_t triangle) const {
   const Vec3 n = normal(face, uv);
   return n.squaredNorm() > 0.5 ? n : facet_normal(triangle);
+}
+
+Vec2 Model::Data::seed_on_side(std::uint32_t triangle, int corner, const Vec3& x) const {
+  const auto& nodes = parts.facets.triangles[triangle];
+  const int from = (corner + 1) % 3, to = (corner + 2) % 3;
+  const Vec3 &a = parts.facets.nodes[nodes[from]], side = parts.facets.nodes[nodes[to]] - a;
+  const double squared = side.squaredNorm();
+  Vec3 weights = Vec3::Zero();
+  weights[to] = squared > 0.0 ? std::clamp((x - a).dot(side) / squared, 0.0, 1.0) : 0.5;
+  weights[from] = 1.0 - weights[to];
+  return seed(triangle, weights);
+}
+
+Vec3 Model::Data::normal_on_edge(int face, int edge, const Vec3& x) const {
+  struct Side {
+    double distance = kInfinity;
+    std::uint32_t triangle = 0;
+    int corner = 0;
+  };
+  Side best;
+  bvh.visit_within(x, parts.facets.edge_deviation[edge] + edge_reach(edge), face, [&](const FacetFoot& f) {
+    for (int corner = 0; corner < 3; ++corner) {
+      const std::int32_t s = border.of_triangle[f.triangle][corner];
+      if (s < 0 || border.sides[s].edge != edge) continue;
+      const double distance = chord_distance(*this, border.sides[s], x);
+      if (std::tie(distance, f.triangle) < std::tie(best.distance, best.triangle))
+        best = {distance, f.triangle, corner};
+    }
+  });
+  Vec2 start;
+  if (best.distance < kInfinity) {
+    start = seed_on_side(best.triangle, best.corner, x);
+  } else {
+    const auto near = bvh.nearest(x, kInfinity, face);
+    if (!near) return Vec3::Zero();
+    best.triangle = near->triangle;
+    start = seed(near->triangle, near->weights);
+  }
+  return normal(face, surface(face).project(x, start).uv, best.triangle);
 }
 
 Model::Model(ModelParts parts, const Model* twin) {

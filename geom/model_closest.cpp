@@ -66,19 +66,21 @@ class ClosestQuery {
       double distance;
       const BorderSide* side;
       std::uint32_t triangle;
+      int corner;  ///< opposite the side
     };
     std::vector<Nearest> edges;
     for (const FacetFoot& f : near_)
-      for (const std::int32_t s : data_.border.of_triangle[f.triangle]) {
+      for (int corner = 0; corner < 3; ++corner) {
+        const std::int32_t s = data_.border.of_triangle[f.triangle][corner];
         if (s < 0) continue;
         const BorderSide& side = data_.border.sides[s];
         const double d = chord_distance(data_, side, p_);
         const auto known =
             std::find_if(edges.begin(), edges.end(), [&](const Nearest& n) { return n.edge == side.edge; });
         if (known == edges.end())
-          edges.push_back({side.edge, d, &side, f.triangle});
+          edges.push_back({side.edge, d, &side, f.triangle, corner});
         else if (d < known->distance)
-          *known = {side.edge, d, &side, f.triangle};
+          *known = {side.edge, d, &side, f.triangle, corner};
       }
     std::sort(edges.begin(), edges.end(), [](const Nearest& a, const Nearest& b) { return a.edge < b.edge; });
     for (const Nearest& n : edges) {
@@ -90,7 +92,7 @@ class ClosestQuery {
       best_.point = x;
       best_.distance = d;
       best_.on = model_edge(n.edge);
-      set_face(data_.facets().face[n.triangle], n.triangle);
+      set_face(n.triangle, data_.seed_on_side(n.triangle, n.corner, x));
     }
   }
 
@@ -106,7 +108,7 @@ class ClosestQuery {
         best_.point = x;
         best_.distance = d;
         best_.on = model_vertex(v);
-        set_face(face_of(f), f.triangle);
+        set_face(f.triangle, data_.seed(f.triangle));
       }
   }
 
@@ -116,10 +118,10 @@ class ClosestQuery {
                        [&](int e) { return data_.parts.edges[e].use == EdgeUse::kReal; });
   }
 
-  void set_face(int face, std::uint32_t triangle) {
-    best_.face = face;
-    best_.uv = data_.surface(face).project(best_.point, data_.seed(triangle)).uv;
-    best_.normal = data_.normal(face, best_.uv, triangle);
+  void set_face(std::uint32_t triangle, const Vec2& seed) {
+    best_.face = data_.facets().face[triangle];
+    best_.uv = data_.surface(best_.face).project(best_.point, seed).uv;
+    best_.normal = data_.normal(best_.face, best_.uv, triangle);
   }
 
   /// The foot on the untrimmed surface counts when it lies in the face; the first start that converges

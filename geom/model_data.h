@@ -51,6 +51,12 @@ struct Model::Data {
     return weights[0] * uv[0] + weights[1] * uv[1] + weights[2] * uv[2];
   }
   [[nodiscard]] Vec2 seed(std::uint32_t triangle) const { return seed(triangle, Vec3::Constant(1.0 / 3.0)); }
+  /// The same where its side opposite the corner comes nearest to x.
+  [[nodiscard]] Vec2 seed_on_side(std::uint32_t triangle, int corner, const Vec3& x) const;
+  /// Unit normal of the face at the place x of one of its edges. The face's nearest facet may be of another
+  /// side of it, where the face comes back beside the edge nearer than its facets deviate (the end of a
+  /// blade).
+  [[nodiscard]] Vec3 normal_on_edge(int face, int edge, const Vec3& x) const;
 
   /// Unit normal of the face, towards region[1]; that of the facet where the surface has none.
   [[nodiscard]] Vec3 normal(int face, const Vec2& uv, std::uint32_t triangle) const;

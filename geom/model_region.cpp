@@ -149,13 +149,8 @@ std::optional<int> region_by_rays(const Model& model, const Model::Data& data, c
 int region_by_edge(const Model& model, const Model::Data& data, const Vec3& p, const Foot& foot) {
   AngleWeightedSigns signs;
   for (const int face : model.edge(foot.on.tag).faces) {
-    Vec3 normal = foot.normal;
-    if (face != foot.face) {
-      const auto near = data.bvh.nearest(foot.point, kInfinity, face);
-      if (!near) continue;
-      const Vec2 seed = data.seed(near->triangle, near->weights);
-      normal = data.normal(face, data.surface(face).project(foot.point, seed).uv, near->triangle);
-    }
+    const Vec3 normal = face == foot.face ? foot.normal : data.normal_on_edge(face, foot.on.tag, foot.point);
+    if (normal.isZero()) continue;
     signs.add(model.face(face), std::numbers::pi, normal.dot(p - foot.point));
   }
   constexpr double kClear = 0.01;
