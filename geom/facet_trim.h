@@ -19,24 +19,32 @@ namespace octet {
   return (x - a - u * e).norm();
 }
 
-/// Whether (u,v) lies in the triangle of the facet's corners in (u,v).
-[[nodiscard]] inline bool uv_in_facet(const std::array<Vec2, 3>& c, const Vec2& uv) {
+/// Whether (u,v) lies in the triangle of the facet's corners in (u,v): 1 where they go about it
+/// counter-clockwise, -1 where clockwise, 0 where it does not.
+[[nodiscard]] inline int turn_of_facet(const std::array<Vec2, 3>& c, const Vec2& uv) {
   const auto cross = [](const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); };
   const double a = cross(c[1] - c[0], uv - c[0]);
   const double b = cross(c[2] - c[1], uv - c[1]);
   const double d = cross(c[0] - c[2], uv - c[2]);
-  return (a > 0.0 && b > 0.0 && d > 0.0) || (a < 0.0 && b < 0.0 && d < 0.0);
+  return a > 0.0 && b > 0.0 && d > 0.0 ? 1 : a < 0.0 && b < 0.0 && d < 0.0 ? -1 : 0;
 }
 
 /// True only when the surface point x at (u,v) is surely in the face: in a facet in (u,v), and farther from
 /// every border chord than the border's curve may be, and than the side of the facet in (u,v): on the surface
-/// it is no chord, and may bulge over a curve that is one. `triangles` [first, last) are of the face and hold
-/// all that lie within their growth of x; `id` maps an element to its triangle. False decides nothing.
+/// it is no chord, and may bulge over a curve that is one. Facets turned over tell nothing: where a face is
+/// narrower than its chords are off, they cross, and what is between them is on neither side. `triangles`
+/// [first, last) are of the face and hold all that lie within their growth of x; `id` maps an element to its
+/// triangle. False decides nothing.
 template <class Iterator, class Id>
 [[nodiscard]] bool clearly_in_facets(const Model::Data& data, const Vec3& x, const Vec2& uv, Iterator first,
                                      Iterator last, const Id& id) {
   bool in = false;
-  for (Iterator it = first; it != last && !in; ++it) in = uv_in_facet(data.facets().uv[id(*it)], uv);
+  for (Iterator it = first; it != last; ++it) {
+    const int turn = turn_of_facet(data.facets().uv[id(*it)], uv);
+    if (turn == 0) continue;
+    if ((turn < 0) != data.parts.faces[data.facets().face[id(*it)]].reversed) return false;
+    in = true;
+  }
   if (!in) return false;
   constexpr double kClear = 2.0;
   for (Iterator it = first; it != last; ++it)

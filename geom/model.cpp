@@ -269,7 +269,18 @@ Vec3 Model::face_normal(int tag, const Vec2& uv) const {
 FaceFoot Model::face_project(int tag, const Vec3& p) const {
   if (is_plane(tag)) return face_project(tag, p, Vec2(0.0, 0.0));
   const auto near = data_->bvh.nearest(p, kInfinity, tag);
-  return face_project(tag, p, near ? data_->seed(near->triangle, near->weights) : Vec2(0.0, 0.0));
+  if (!near) return face_project(tag, p, Vec2(0.0, 0.0));
+  const FaceFoot foot = face_project(tag, p, data_->seed(near->triangle, near->weights));
+  if ((foot.point - p).norm() <= data_->tolerance) return foot;
+  // Where the face is thinner than its facets deviate, the nearest may be of the other side.
+  std::vector<FacetFoot> candidates;
+  data_->bvh.near(p, kInfinity, tag, candidates);
+  std::erase_if(candidates,
+                [&](const FacetFoot& f) { return data_->facet_normal(f.triangle).dot(foot.normal) >= 0.0; });
+  if (candidates.empty()) return foot;
+  const FacetFoot& start = nearest_of(candidates);
+  const FaceFoot other = face_project(tag, p, data_->seed(start.triangle, start.weights));
+  return other.converged && (other.point - p).squaredNorm() < (foot.point - p).squaredNorm() ? other : foot;
 }
 
 FaceFoot Model::face_project(int tag, const Vec3& p, const Vec2& seed) const {

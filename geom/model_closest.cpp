@@ -125,27 +125,42 @@ class ClosestQuery {
   }
 
   /// The foot on the untrimmed surface counts when it lies in the face; the first start that converges
-  /// near its facet is enough.
+  /// near its facet is enough, but for a start on the other side of a face that is thinner than its facets
+  /// deviate (a blade beside its end).
   void meet_face(std::span<const FacetFoot> triangles) {
     const int face = face_of(triangles.front());
     constexpr std::size_t kStarts = 4;
-    for (std::size_t i = 0; i < std::min(kStarts, triangles.size()); ++i) {
-      const FacetFoot& start = triangles[i];
-      const double grow = data_.bvh.grow(start.triangle);
-      if (start.distance - grow > best_.distance) return;
-      const SurfaceFoot foot = data_.surface(face).project(p_, data_.seed(start.triangle, start.weights));
-      const double d = (foot.point - p_).norm();
-      const bool far_off = !foot.converged || d > start.distance + grow;
-      if (d < best_.distance && in_face(face, foot, triangles)) {
-        best_.point = foot.point;
-        best_.distance = d;
-        best_.on = model_face(face);
-        best_.face = face;
-        best_.uv = foot.uv;
-        best_.normal = data_.normal(face, foot.uv, start.triangle);
-      }
-      if (!far_off) return;
+    const std::size_t starts = std::min(kStarts, triangles.size());
+    std::size_t i = 0;
+    Vec3 found = Vec3::Zero();
+    for (; i < starts && found.isZero(); ++i) {
+      if (triangles[i].distance - data_.bvh.grow(triangles[i].triangle) > best_.distance) return;
+      found = meet_face_from(face, triangles[i], triangles);
     }
+    for (; i < triangles.size(); ++i) {
+      const FacetFoot& start = triangles[i];
+      if (start.distance - data_.bvh.grow(start.triangle) > best_.distance) return;
+      if (data_.facet_normal(start.triangle).dot(found) >= 0.0) continue;
+      (void)meet_face_from(face, start, triangles);
+      return;
+    }
+  }
+
+  /// The normal at the foot where it is near the facet, else zero.
+  Vec3 meet_face_from(int face, const FacetFoot& start, std::span<const FacetFoot> triangles) {
+    const SurfaceFoot foot = data_.surface(face).project(p_, data_.seed(start.triangle, start.weights));
+    const double d = (foot.point - p_).norm();
+    const bool far_off = !foot.converged || d > start.distance + data_.bvh.grow(start.triangle);
+    const Vec3 normal = data_.normal(face, foot.uv, start.triangle);
+    if (d < best_.distance && in_face(face, foot, triangles)) {
+      best_.point = foot.point;
+      best_.distance = d;
+      best_.on = model_face(face);
+      best_.face = face;
+      best_.uv = foot.uv;
+      best_.normal = normal;
+    }
+    return far_off ? Vec3(Vec3::Zero()) : normal;
   }
 
   [[nodiscard]] bool in_face(int face, const SurfaceFoot& foot, std::span<const FacetFoot> triangles) const {

@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
+#include <vector>
 
 #include "geom/model.h"
 #include "geom/occt/from_shape.h"
@@ -83,6 +85,55 @@ TEST(ThinEnds, NormalsOnEitherEdgeOfTheStripAreThoseOfTheirOwnSide) {
     }
   }
   EXPECT_EQ(asked, 14u);
+}
+
+TEST(ThinEnds, PlacesOnEitherSideOfABladeAreFoundThere) {
+  const Model model = blade();
+  const Facets& facets = model.facets();
+  std::size_t asked = 0;
+  for (std::size_t t = 0; t < facets.triangles.size(); ++t)
+    for (const double share : {0.02, 0.2, 0.7, 0.98}) {
+      const auto& uv = facets.uv[t];
+      const Vec2 at = share * uv[0] + (1.0 - share) * 0.5 * (uv[1] + uv[2]);
+      const int face = facets.face[t];
+      const Vec3 p = model.face_jet(face, at, 0).p, normal = model.face_normal(face, at);
+      if (p.x() < 0.9 * kChord || std::abs(normal.x()) > 0.9) continue;
+      ++asked;
+      const FaceFoot foot = model.face_project(face, p);
+      EXPECT_LT((foot.point - p).norm(), 1e-9) << p.transpose();
+      EXPECT_GT(foot.normal.dot(normal), 0.99) << p.transpose();
+      // Beside the face the foot is as far as the place was moved; a little more where that is past an edge.
+      for (const double off : {0.004, 0.02}) {
+        const Foot near = *model.closest(p + off * normal, 1.0);
+        EXPECT_LT(near.distance, 1.001 * off) << p.transpose();
+        EXPECT_EQ(model.region_at(p + off * normal), 0) << p.transpose();
+      }
+    }
+  EXPECT_GT(asked, 100u);
+}
+
+TEST(ThinEnds, SegmentsBesideTheStripMeetTheBoundaryWhereTheirEndsAreInTwoRegions) {
+  const Model model = blade();
+  std::mt19937 random(7);
+  const auto share = [&] { return static_cast<double>(random()) / static_cast<double>(std::mt19937::max()); };
+  std::size_t through = 0;
+  for (int e = 1; e <= model.count(1); ++e) {
+    const ModelEdge& edge = model.edge(e);
+    if (edge.length < 0.9 * kSpan) continue;
+    for (int i = 0; i < 3000; ++i) {
+      const Vec3 middle = model.edge_point(e, edge.t0 + share() * (edge.t1 - edge.t0));
+      const auto near = [&] {
+        return Vec3(middle + 0.1 * (Vec3(share(), share(), share()) - Vec3::Constant(0.5)));
+      };
+      const Vec3 p = near(), q = near();
+      std::vector<Hit> hits;
+      model.intersect(p, q, hits);
+      const bool two = model.region_at(p) != model.region_at(q);
+      EXPECT_EQ(hits.size() % 2 != 0, two) << p.transpose() << " to " << q.transpose();
+      through += two ? 1 : 0;
+    }
+  }
+  EXPECT_GT(through, 500u);
 }
 
 }  // namespace
