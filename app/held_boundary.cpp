@@ -16,8 +16,9 @@ const char* HeldBoundary::words() const {
                                     : "the whole boundary will be held";
 }
 
-void HeldBoundary::hold_more(std::span<const Vec3> places) {
+void HeldBoundary::hold_more(std::span<const Vec3> places, bool crosses) {
   places_.insert(places_.end(), places.begin(), places.end());
+  if (tries_ == kNone && !crosses) tries_ = kRooms;
   ++tries_;
 }
 

@@ -34,8 +34,9 @@ class HeldBoundary {
   /// What is done by now, in words.
   [[nodiscard]] const char* words() const;
 
-  /// Goes on to the next try, for a mesh with faults at `places`. Requires is_hopeful().
-  void hold_more(std::span<const Vec3> places);
+  /// Goes on to the next try, for a mesh with faults at `places`; where its boundary does not cross itself,
+  /// rooms alone are no try. Requires is_hopeful().
+  void hold_more(std::span<const Vec3> places, bool crosses);
   /// Goes on to the next last resort. False: the whole boundary was held.
   [[nodiscard]] bool hold_at_last(std::span<const Vec3> places);
   /// Finds rooms and vertices in `mesh`, which finalization will begin with, made of `tree`, to be there for

@@ -426,7 +426,7 @@ class Run {
     if (faults == 0 || gaps_left_) return std::nullopt;
     if (options_.finalize && held_.is_hopeful()) {
       const std::vector<Vec3> places = places_at_fault();
-      held_.hold_more(places);
+      held_.hold_more(places, !result_.report.acceptance.holds("no-overlap"));
       again_ = begun_ && held_.find(begun_->mesh, tree());
       note_held(places.size());
       return again_ ? std::nullopt : std::optional(tree());
@@ -449,7 +449,10 @@ class Run {
   }
 
   void note_held(std::size_t faults) {
-    observer_.note(fmt::format("faults at {} places: {}", faults, held_.words()));
+    std::string claims;
+    for (const Claim& claim : result_.report.acceptance.claims)
+      if (!claim.holds) claims += (claims.empty() ? "" : ", ") + claim.name;
+    observer_.note(fmt::format("faults at {} places ({}): {}", faults, claims, held_.words()));
   }
 
   /// Where claims fail, in the model's own frame.

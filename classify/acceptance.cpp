@@ -22,6 +22,10 @@ bool Acceptance::holds() const {
   return !claims.empty() && std::all_of(claims.begin(), claims.end(), [](const Claim& c) { return c.holds; });
 }
 
+bool Acceptance::holds(std::string_view name) const {
+  return std::all_of(claims.begin(), claims.end(), [&](const Claim& c) { return c.name != name || c.holds; });
+}
+
 std::optional<Farthest> Acceptance::farthest() const {
   std::optional<Farthest> all;
   for (const Claim& claim : claims)

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/fault.h"
@@ -40,6 +41,8 @@ struct Acceptance {
   /// Volume of the tetrahedra (model units, cubed), per region tag; empty where the numbers do not hold.
   std::vector<double> filled;
   [[nodiscard]] bool holds() const;
+  /// Whether there is no claim of that name that does not hold.
+  [[nodiscard]] bool holds(std::string_view name) const;
   /// None where the CAD's surface was not sampled, or is nowhere off the mesh.
   [[nodiscard]] std::optional<Farthest> farthest() const;
 };

@@ -55,14 +55,14 @@ TEST_F(Held, GrowsFromTryToTryToTheWholeBoundary) {
   std::vector<std::size_t> counts;
   ASSERT_TRUE(held_.is_hopeful());
   EXPECT_EQ(held_.rooms(), nullptr);
-  held_.hold_more(left_);
+  held_.hold_more(left_, true);
   EXPECT_TRUE(held_.find(mesh_, tree_));
   ASSERT_NE(held_.rooms(), nullptr);
   EXPECT_LT(held_.rooms()->at({10.0, 6.0, 2.0}), 0.05);
   EXPECT_TRUE(held_.vertices().empty()) << "the boundary keeps to its faces first";
   for (const auto& places : {left_, right_, corner_, corner_}) {
     ASSERT_TRUE(held_.is_hopeful());
-    held_.hold_more(places);
+    held_.hold_more(places, true);
     held_.find(mesh_, tree_);
     EXPECT_FALSE(held_.is_last_resort());
     EXPECT_TRUE(std::is_sorted(held_.vertices().begin(), held_.vertices().end()));
@@ -116,12 +116,19 @@ TEST(FinalizedSlit, DoesNotCrossItselfThoughNothingIsHeld) {
   }
 }
 
+TEST_F(Held, VerticesAtOnceWhereTheBoundaryDoesNotCrossItself) {
+  held_.hold_more(left_, false);
+  EXPECT_TRUE(held_.find(mesh_, tree_));
+  EXPECT_GT(held_.vertices().size(), 5u);
+  EXPECT_NE(held_.rooms(), nullptr);
+}
+
 TEST_F(Held, WhatHeldTheSameInANewMeshIsSpent) {
-  held_.hold_more(left_);
+  held_.hold_more(left_, true);
   held_.find(mesh_, tree_);
   held_.find_anew(mesh_, tree_);
   EXPECT_TRUE(held_.is_hopeful()) << "rooms are of the mesh";
-  held_.hold_more(left_);
+  held_.hold_more(left_, true);
   held_.find(mesh_, tree_);
   ASSERT_TRUE(held_.is_hopeful());
   held_.find_anew(mesh_, tree_);
