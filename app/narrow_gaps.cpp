@@ -24,7 +24,7 @@ constexpr double kAround = 3.0;
 constexpr std::size_t kMostPlaces = 2000;
 /// Sheets may come so much of a gap off their faces.
 constexpr double kRoomPerGap = 0.8;
-constexpr double kNone = std::numeric_limits<double>::infinity();
+constexpr double kNoGap = std::numeric_limits<double>::infinity();
 
 /// A boundary vertex and a face that it is on.
 using VertexOnFace = std::pair<Mesh::Index, std::int32_t>;
@@ -64,12 +64,13 @@ bool is_near_another(const Model& model, const Vec3& p, int face, double near) {
   return other && cosine_between(out->foot.point, normal, *other) >= kGap;
 }
 
-/// The distance to a face that faces this one; infinite beyond `near`.
+/// The distance to a face that faces this one; infinite beyond `near`. A twentieth of what is_near_another()
+/// costs, which finds edges and slanting sheets as well: vertices are held when this has not been enough.
 double gap_at(const Model& model, const Vec3& p, int face, double near) {
   const std::optional<Outlook> out = outlook(model, p, face);
-  if (!out) return kNone;
+  if (!out) return kNoGap;
   const auto other = facing_point(model, out->foot.point, face, out->foot.normal, out->side, near);
-  return other ? other->distance : kNone;
+  return other ? other->distance : kNoGap;
 }
 
 /// Balls of some sizes about the places; all of space where there are no places, or too many.
@@ -119,13 +120,13 @@ GapRooms::GapRooms(const Mesh& mesh, const Model& model, const Octree& tree) : t
     gap[i] = gap_at(model, p, asked[i].second, kNear * tree.spacing_at(p));
   });
   for (std::size_t i = 0; i < asked.size(); ++i) {
-    if (gap[i] == kNone) continue;
+    if (gap[i] == kNoGap) continue;
     const Vec3& p = mesh.points[asked[i].first];
     const double step = tree.length_at(p);
     for (const double x : {-step, 0.0, step})
       for (const double y : {-step, 0.0, step})
         for (const double z : {-step, 0.0, step}) {
-          double& room = room_.emplace(tree.find(p + Vec3(x, y, z)).index(), kNone).first->second;
+          double& room = room_.emplace(tree.find(p + Vec3(x, y, z)).index(), kNoGap).first->second;
           room = std::min(room, kRoomPerGap * gap[i]);
         }
   }
@@ -133,7 +134,7 @@ GapRooms::GapRooms(const Mesh& mesh, const Model& model, const Octree& tree) : t
 
 double GapRooms::at(const Vec3& p) const {
   const auto known = room_.find(tree_.find(p).index());
-  return known == room_.end() ? kNone : known->second;
+  return known == room_.end() ? kNoGap : known->second;
 }
 
 std::vector<Mesh::Index> boundary_vertices(const Mesh& mesh) { return boundary_vertices(mesh, {}, {}); }

@@ -449,10 +449,11 @@ class Run {
   }
 
   void note_held(std::size_t faults) {
-    std::string claims;
+    std::vector<std::string> failed;
     for (const Claim& claim : result_.report.acceptance.claims)
-      if (!claim.holds) claims += (claims.empty() ? "" : ", ") + claim.name;
-    observer_.note(fmt::format("faults at {} places ({}): {}", faults, claims, held_.words()));
+      if (!claim.holds) failed.push_back(claim.name);
+    observer_.note(
+        fmt::format("faults at {} places ({}): {}", faults, fmt::join(failed, ", "), held_.words()));
   }
 
   /// Where claims fail, in the model's own frame.

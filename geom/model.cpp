@@ -63,6 +63,16 @@ Vec3 Model::Data::normal(int face, const Vec2& uv, std::uint32_t triangle) const
   return n.squaredNorm() > 0.5 ? n : facet_normal(triangle);
 }
 
+const FacetFoot* Model::Data::nearest_against(std::span<const FacetFoot> near, const Vec3& normal) const {
+  const FacetFoot* best = nullptr;
+  for (const FacetFoot& f : near) {
+    if (facet_normal(f.triangle).dot(normal) >= 0.0) continue;
+    if (best == nullptr || std::tie(f.distance, f.triangle) < std::tie(best->distance, best->triangle))
+      best = &f;
+  }
+  return best;
+}
+
 Vec2 Model::Data::seed_on_side(std::uint32_t triangle, int corner, const Vec3& x) const {
   const auto& nodes = parts.facets.triangles[triangle];
   const int from = (corner + 1) % 3, to = (corner + 2) % 3;
@@ -272,14 +282,11 @@ FaceFoot Model::face_project(int tag, const Vec3& p) const {
   if (!near) return face_project(tag, p, Vec2(0.0, 0.0));
   const FaceFoot foot = face_project(tag, p, data_->seed(near->triangle, near->weights));
   if ((foot.point - p).norm() <= data_->tolerance) return foot;
-  // Where the face is thinner than its facets deviate, the nearest may be of the other side.
   std::vector<FacetFoot> candidates;
   data_->bvh.near(p, kInfinity, tag, candidates);
-  std::erase_if(candidates,
-                [&](const FacetFoot& f) { return data_->facet_normal(f.triangle).dot(foot.normal) >= 0.0; });
-  if (candidates.empty()) return foot;
-  const FacetFoot& start = nearest_of(candidates);
-  const FaceFoot other = face_project(tag, p, data_->seed(start.triangle, start.weights));
+  const FacetFoot* start = data_->nearest_against(candidates, foot.normal);
+  if (start == nullptr) return foot;
+  const FaceFoot other = face_project(tag, p, data_->seed(start->triangle, start->weights));
   return other.converged && (other.point - p).squaredNorm() < (foot.point - p).squaredNorm() ? other : foot;
 }
 

@@ -137,13 +137,10 @@ class ClosestQuery {
       if (triangles[i].distance - data_.bvh.grow(triangles[i].triangle) > best_.distance) return;
       found = meet_face_from(face, triangles[i], triangles);
     }
-    for (; i < triangles.size(); ++i) {
-      const FacetFoot& start = triangles[i];
-      if (start.distance - data_.bvh.grow(start.triangle) > best_.distance) return;
-      if (data_.facet_normal(start.triangle).dot(found) >= 0.0) continue;
-      (void)meet_face_from(face, start, triangles);
-      return;
-    }
+    if (found.isZero()) return;
+    const FacetFoot* start = data_.nearest_against(triangles.subspan(i), found);
+    if (start != nullptr && start->distance - data_.bvh.grow(start->triangle) <= best_.distance)
+      (void)meet_face_from(face, *start, triangles);
   }
 
   /// The normal at the foot where it is near the facet, else zero.

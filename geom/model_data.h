@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <mutex>
+#include <span>
 #include <vector>
 
 #include "geom/arc_length.h"
@@ -66,6 +67,10 @@ struct Model::Data {
     return parts.faces[face].reversed ? Vec3(-n) : n;
   }
   [[nodiscard]] Vec3 facet_normal(std::uint32_t triangle) const;
+  /// The nearest of facets of one face whose normal is against `normal`, that of a foot found from another:
+  /// where the face is thinner than its facets deviate, the foot may be on its wrong side. Null where there
+  /// is none.
+  [[nodiscard]] const FacetFoot* nearest_against(std::span<const FacetFoot> near, const Vec3& normal) const;
   /// Side of a region boundary on which `p` lies.
   [[nodiscard]] int region_beside(int face, double height) const {
     return parts.faces[face].region[height > 0.0 ? 1 : 0];

@@ -283,7 +283,6 @@ FaceIntegrals integrate_face(const TopoDS_Face& face, const Surface& surface) {
   const Handle(Poly_Triangulation) triangulation = BRep_Tool::Triangulation(forward, place);
   if (triangulation.IsNull()) return {};
   const Integrator integrator(surface, uv_node(*triangulation, 1), breaks_of(forward));
-  const double side = face.Orientation() == TopAbs_REVERSED ? -1.0 : 1.0;
   Sum total;
   for (int i = 1; i <= triangulation->NbTriangles(); ++i) {
     int a = 0, b = 0, c = 0;
@@ -294,6 +293,7 @@ FaceIntegrals integrate_face(const TopoDS_Face& face, const Surface& surface) {
   }
   for (TopExp_Explorer it(forward, TopAbs_EDGE); it.More(); it.Next())
     add_slivers(TopoDS::Edge(it.Current()), forward, triangulation, place, integrator, total);
+  const double side = face.Orientation() == TopAbs_REVERSED ? -1.0 : 1.0;
   const bool plane = std::string_view(surface.kind()) == "plane";
   const double area = plane ? total.vector.norm() : std::abs(total.area);
   return {area, side * total.vector, integrator.origin(), side * total.moment};

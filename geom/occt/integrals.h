@@ -22,7 +22,7 @@ struct FaceIntegrals {
 
 /// Requires a triangulation of the face: its (u,v) triangles, and the slivers between their chords and the
 /// loops, are the domain of integration. Cut where the surface is not smooth, and refined where the integrand
-/// varies within a triangle. A plane's (u,v) may be folded: what lies twice more counts once.
+/// varies within a triangle. A plane's (u,v) may be folded: its area is that of the integral of n.
 /// Within 1e-7 relative; BRepGProp needs up to minutes for that, or is wrong by percents where it is fast.
 [[nodiscard]] FaceIntegrals integrate_face(const TopoDS_Face& face, const Surface& surface);
 
