@@ -28,6 +28,9 @@ constexpr std::uint8_t kHopeless = 8;
 /// it at most. Where walls are thinner than the size all over the part, most elements are tried: without a
 /// bound finalization takes up to twice as long, for 0.4 degrees of the first percentile.
 constexpr std::uint64_t kFreeWork = 12'000'000, kWorkPerTet = 24;
+/// And beyond a first part of it, so many for each that is kept: an ordinary part takes 3 to 13 thousand for
+/// one, a board with layers far thinner than the size 54 thousand, for one in a hundred tried.
+constexpr std::uint64_t kFirstWork = 4'000'000, kWorkPerKept = 20'000;
 
 /// Adds what the last operation made to the area, and drops what it removed.
 void take_in_made(const Workshop& shop, std::vector<TetId>& area) {
@@ -59,7 +62,9 @@ bool mend(Workshop& shop, double bar, double goal) {
 }
 
 bool tried_enough(const Workshop& shop, const std::array<VertexId, 4>& v) {
-  if (shop.compound_work > kFreeWork + kWorkPerTet * shop.mesh.tets.size()) return true;
+  if (shop.compound_work > kFreeWork + kWorkPerTet * shop.mesh.tets.size() ||
+      shop.compound_work > kFirstWork + kWorkPerKept * shop.compound_kept)
+    return true;
   return std::all_of(v.begin(), v.end(), [&](VertexId w) {
     return w.index() < shop.in_vain.size() && shop.in_vain[w.index()] >= kHopeless;
   });
@@ -98,6 +103,7 @@ bool improve_by_compound(Workshop& shop, TetId t, double goal) {
     Trial trial(shop);
     if (!first() || !mend(shop, bar, goal)) return false;
     trial.keep();
+    ++shop.compound_kept;
     return true;
   };
   for (const auto& [i, j] : kTetEdge) {

@@ -194,7 +194,7 @@ double collapse_floor(Workshop& shop, VertexId a, std::vector<TetId>& tets) {
 
 /// Takes the tetrahedra for which rank(t) has a value, lowest first, and the ones that come of them.
 template <class Rank>
-std::size_t improve_in_order(Workshop& shop, double goal, Observer& observer, const Rank& rank) {
+PassResult improve_in_order(Workshop& shop, double goal, Observer& observer, const Rank& rank) {
   const WorkMesh& mesh = shop.mesh;
   std::priority_queue<Candidate> queue;
   const auto look_at = [&](TetId t) {
@@ -202,22 +202,22 @@ std::size_t improve_in_order(Workshop& shop, double goal, Observer& observer, co
     if (const std::optional<double> value = rank(t)) queue.push({*value, t});
   };
   for (std::size_t i = 0; i < mesh.tets.size(); ++i) look_at(TetId(i));
-  std::size_t done = 0, taken = 0;
+  PassResult result;
   while (!queue.empty() && !budget_spent(shop)) {
     const Candidate candidate = queue.top();
     queue.pop();
     if (!mesh.alive(candidate.tet) || rank(candidate.tet) != candidate.rank) continue;
-    if (taken++ % 64 == 0 && observer.cancelled()) throw Cancelled();
     if (is_hopeless(shop, candidate.tet)) continue;
+    if (result.tried++ % 64 == 0 && observer.cancelled()) throw Cancelled();
     if (!improve_tet(shop, candidate.tet, goal, Effort::kFull)) {
       note_failure(shop, candidate.tet);
       continue;
     }
-    ++done;
+    ++result.bettered;
     shop.note_change();
     for (const TetId t : shop.made) look_at(t);
   }
-  return done;
+  return result;
 }
 
 }  // namespace
@@ -290,13 +290,13 @@ void relax_around(Workshop& shop, double goal, double wish) {
   }
 }
 
-std::size_t improve_worst_first(Workshop& shop, double goal, Observer& observer) {
+PassResult improve_worst_first(Workshop& shop, double goal, Observer& observer) {
   return improve_in_order(shop, goal, observer, [&](TetId t) {
     return falls_short(shop, t, goal) ? std::optional(shop.mesh.quality[t]) : std::nullopt;
   });
 }
 
-std::size_t improve_obtuse(Workshop& shop, double limit, Observer& observer) {
+PassResult improve_obtuse(Workshop& shop, double limit, Observer& observer) {
   const WorkMesh& mesh = shop.mesh;
   const double goal = shape_of_angle(limit), of_limit = squared_cotangent(limit);
   return improve_in_order(shop, goal, observer, [&](TetId t) -> std::optional<double> {

@@ -23,14 +23,18 @@ enum class Effort {
 /// Applies the first operator that betters t; false when none does.
 bool improve_tet(Workshop& shop, TetId t, double goal, Effort effort);
 
+/// What came of a pass over tetrahedra.
+struct PassResult {
+  std::size_t tried = 0, bettered = 0;
+};
+
 /// Takes the tetrahedra below `goal` (a shape) worst first, and the ones that come of them, and applies the
-/// first operator that betters each [Handbook 15.6.3]. Returns the number of operations done; stops when the
-/// work budget is spent.
-std::size_t improve_worst_first(Workshop& shop, double goal, Observer& observer);
+/// first operator that betters each [Handbook 15.6.3]. Stops when the work budget is spent.
+PassResult improve_worst_first(Workshop& shop, double goal, Observer& observer);
 
 /// The same for tetrahedra with a dihedral angle above `limit` (radians), for which `shape` says little:
 /// their neighbours' small angles weigh as much.
-std::size_t improve_obtuse(Workshop& shop, double limit, Observer& observer);
+PassResult improve_obtuse(Workshop& shop, double limit, Observer& observer);
 
 /// Smooths everything near the tetrahedra below `goal`, towards `wish`: what could not be bettered by itself
 /// may have room then.

@@ -65,9 +65,10 @@ void chase(Workshop& shop, double target, double goal, double polish, Observer& 
   const Chase worst_first(shop);
   goal = chase_goal(shop.mesh, std::min(target, shape_of_angle(kThinAngle)), goal);
   for (int pass = 0; pass < kPasses; ++pass) {
-    const std::size_t done = improve_worst_first(shop, goal, observer);
-    if (pass > 0 && done == 0) break;
+    const PassResult result = improve_worst_first(shop, goal, observer);
+    if (pass > 0 && result.bettered == 0) break;
     relax_around(shop, goal, polish);
+    if (is_exhausted(result)) break;
   }
 }
 
@@ -76,8 +77,10 @@ void open_obtuse(Workshop& shop, Observer& observer) {
   constexpr int kObtusePasses = 3;
   const Chase worst_first(shop);
   const double limit = obtuse_limit(shop.mesh);
-  for (int pass = 0; pass < kObtusePasses; ++pass)
-    if (improve_obtuse(shop, limit, observer) == 0) break;
+  for (int pass = 0; pass < kObtusePasses; ++pass) {
+    const PassResult result = improve_obtuse(shop, limit, observer);
+    if (result.bettered == 0 || is_exhausted(result)) break;
+  }
 }
 
 /// Swaps, then moves vertices, for the mean.
@@ -161,6 +164,11 @@ double obtuse_limit(const WorkMesh& mesh) {
     return largest < squared_cotangent(kObtuse) ? std::optional(largest) : std::nullopt;
   });
   return higher ? angle_of_cotangent(*higher) : kObtuse;
+}
+
+bool is_exhausted(const PassResult& pass) {
+  constexpr std::size_t kFew = 2000, kShare = 20;
+  return pass.tried > kFew && kShare * pass.bettered < pass.tried;
 }
 
 bool is_worse(const DihedralExtremes& made, const DihedralExtremes& given) {

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/observer.h"
+#include "finalize/improve.h"
 #include "finalize/workshop.h"
 #include "mesh/quality.h"
 
@@ -29,6 +30,11 @@ inline constexpr double kObtuse = 2.40;
 /// The angle (radians) above which the largest are worked on: kObtuse, or where more than a tenth of the
 /// elements, and more than 3000, are above it, what so many are above.
 [[nodiscard]] double obtuse_limit(const WorkMesh& mesh);
+
+/// Whether so little came of a pass, less than a twentieth of more than 2000 tried, that another one would
+/// find next to nothing: where walls are thinner than the elements most of what falls short does so for good,
+/// and smoothing around it would let all of it be tried again.
+[[nodiscard]] bool is_exhausted(const PassResult& pass);
 
 enum class Chosen {
   kByScope,  ///< what the options' scope asks for

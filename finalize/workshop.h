@@ -37,6 +37,7 @@ struct Workshop {
   bool thorough = false;            ///< project every place tried, also where projections are dear
   std::uint64_t work = 0;           ///< evaluations of `shape`, the unit of the work budget
   std::uint64_t compound_work = 0;  ///< of these, those for compound moves
+  std::uint64_t compound_kept = 0;  ///< compound moves that were kept
   std::vector<TetId> made;          ///< tetrahedra made or changed by the last operator that succeeded
   EdgeRing ring;                    ///< scratch
   LocalStar star;                   ///< scratch

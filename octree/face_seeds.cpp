@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "base/blocks.h"
@@ -12,6 +13,7 @@
 #include "geom/face_match.h"
 #include "geom/facet_bvh.h"
 #include "geom/opposite.h"
+#include "octree/even_walls.h"
 #include "octree/seed_state.h"
 
 namespace octet {
@@ -22,6 +24,9 @@ struct FacePoint {
   int face;
   double size;
 };
+
+/// In spacings: partners of cuts in blocks are no farther.
+constexpr double kBlockReach = kMatchDistance;
 
 /// Puts points on faces into a list of its own, and reads `state` alone: several can be beside one another.
 class FaceSeeder {
@@ -49,22 +54,30 @@ class FaceSeeder {
         }
   }
 
-  /// A cut through a face, with its partners, if all of them are free. `spacing`: the octree's there.
-  void offer(const Hit& hit, double spacing) {
+  /// A cut through a face, with its partners, if all of them are free. `spacing`: the octree's there. Whether
+  /// it has been dealt with: not where partners are farther than `reach` spacings.
+  bool offer(const Hit& hit, double spacing, double reach) {
     const FacePoint a{hit.point, hit.on.tag, spacing};
     if (!is_free(a) ||
         (model_.is_plane(a.face) && is_crowded(a, kWideSpacing, Among::kFace) && has_room(a, hit.normal)))
-      return;
-    std::vector<FacePoint> partners;
-    for (const int side : {-1, 1}) {
-      const std::optional<FacePoint> b = partner(a, hit.normal, side);
-      if (!b) continue;
-      if (!is_free(*b)) return;  // a pair goes in whole or not at all
-      partners.push_back(*b);
-    }
+      return true;
+    const std::vector<FacePoint> partners = partners_of(a, hit.normal);
+    const auto is_near = [&](const FacePoint& b) { return (b.p - a.p).norm() <= reach * a.size; };
+    if (!std::all_of(partners.begin(), partners.end(), is_near)) return false;
+    // They go in whole or not at all.
+    if (!std::all_of(partners.begin(), partners.end(), [&](const FacePoint& b) { return is_free(b); }))
+      return true;
     add(a);
     for (const FacePoint& b : partners)
       if (is_free(b)) add(b);
+    return true;
+  }
+
+  /// Whether partners of a cut are farther than blocks reach.
+  [[nodiscard]] bool is_stacked(const Hit& hit, double spacing) const {
+    const std::vector<FacePoint> partners = partners_of({hit.point, hit.on.tag, spacing}, hit.normal);
+    return std::any_of(partners.begin(), partners.end(),
+                       [&](const FacePoint& b) { return (b.p - hit.point).norm() > kBlockReach * spacing; });
   }
 
   [[nodiscard]] const std::vector<FacePoint>& own() const { return own_; }
@@ -146,11 +159,52 @@ class FaceSeeder {
     return model_.face_project(a.face, a.p).normal.dot(model_.face_project(a.face, p).normal) < kMostCosine;
   }
 
-  [[nodiscard]] std::optional<FacePoint> partner(const FacePoint& a, const Vec3& normal, int side) const {
-    const double reach = kMatchDistance * a.size;
-    const std::optional<Foot> foot = facing_point(model_, a.p, a.face, normal, side, reach);
-    if (!foot) return std::nullopt;
-    return FacePoint{foot->point, foot->on.tag, a.size};
+  /// The points across from `a`: of a stack of sheets all, else those of sheets within kMatchDistance.
+  [[nodiscard]] std::vector<FacePoint> partners_of(const FacePoint& a, const Vec3& normal) const {
+    std::vector<FacePoint> partners;
+    constexpr int kMostSheets = 256;
+    const bool in_stack = may_be_in_stack(a, normal);
+    const double reach = (in_stack ? kThinWall : kMatchDistance) * a.size;
+    for (const int side : {-1, 1}) add_sheets(a, normal, side, reach, in_stack ? kMostSheets : 1, partners);
+    if (partners.size() == 1 && (partners.front().p - a.p).norm() > kMatchDistance * a.size) partners.clear();
+    return partners;
+  }
+
+  /// Whether facets of another face are within a thin wall's thickness, on either side of `a`, and of two
+  /// within twice that.
+  [[nodiscard]] bool may_be_in_stack(const FacePoint& a, const Vec3& normal) const {
+    const auto meets = [&](double length, int faces) {
+      int first = 0, met = 0;
+      model_.bvh().visit_segment(
+          a.p - length * normal, a.p + length * normal,
+          [&](std::uint32_t facet) {
+            const int face = model_.facets().face[facet];
+            if (face == first) return;
+            if (first == 0) first = face;
+            ++met;
+          },
+          a.face);
+      return met >= faces;
+    };
+    return meets(kThinWall * a.size, 1) && meets(2.0 * kThinWall * a.size, 2);
+  }
+
+  /// The points across from `a` on one side, from sheet to sheet, each no farther than `reach` from the one
+  /// before.
+  void add_sheets(const FacePoint& a, Vec3 normal, int side, double reach, int most,
+                  std::vector<FacePoint>& points) const {
+    FacePoint from = a;
+    double near = reach;
+    for (int sheet = 0; sheet < most; ++sheet) {
+      std::optional<Foot> foot = facing_point(model_, from.p, from.face, normal, side, near);
+      if (!foot && near < reach) foot = facing_point(model_, from.p, from.face, normal, side, reach);
+      if (!foot) return;
+      near = std::min(reach, 2.0 * foot->distance);  // sheets of a stack are about as thick
+      from = {foot->point, foot->on.tag, a.size};
+      points.push_back(from);
+      side = side * normal.dot(foot->normal) > 0.0 ? 1 : -1;
+      normal = foot->normal;
+    }
   }
 
   const SeedState& state_;
@@ -169,6 +223,23 @@ std::vector<double> candidate_spacings(const SeedState& state, const std::vector
       spacings[i] = state.tree.spacing_at(hit.point);
   });
   return spacings;
+}
+
+/// By face tag, whether a sample of its cuts has one with partners farther than blocks reach.
+std::vector<char> stacked_faces(const SeedState& state, const FaceSeeder& seeder,
+                                const std::vector<OctantEdgeCut>& cuts, const std::vector<double>& spacings) {
+  constexpr std::size_t kSample = 64;
+  std::vector<std::size_t> met(static_cast<std::size_t>(state.model.count(2)) + 1, 0), sample;
+  for (std::size_t i = 0; i < cuts.size(); ++i)
+    if (spacings[i] > 0.0 && met[cuts[i].hit.on.tag]++ % kSample == 0) sample.push_back(i);
+  std::vector<char> is_one(sample.size(), 0);
+  tbb::parallel_for(std::size_t{0}, sample.size(), [&](std::size_t n) {
+    is_one[n] = seeder.is_stacked(cuts[sample[n]].hit, spacings[sample[n]]) ? 1 : 0;
+  });
+  std::vector<char> stacked(met.size(), 0);
+  for (std::size_t n = 0; n < sample.size(); ++n)
+    if (is_one[n] != 0) stacked[cuts[sample[n]].hit.on.tag] = 1;
+  return stacked;
 }
 
 /// Successive cuts in one block of space.
@@ -197,7 +268,7 @@ class CutBlocks {
   static constexpr double kLength = 24.0;
   /// In spacings: two partners' distances, and what keeps a partner out, with room for rounding.
   static constexpr double kReach =
-      2.0 * kMatchDistance + std::max({kFaceSpacing, kPlaneSpacing, kWideSpacing}) + 0.1;
+      2.0 * kBlockReach + std::max({kFaceSpacing, kPlaneSpacing, kWideSpacing}) + 0.1;
 
   /// The colour in front, so that blocks sorted are in the order of colours.
   [[nodiscard]] std::uint64_t block_of(const Vec3& p) const;
@@ -267,25 +338,50 @@ void seed_model_faces(SeedState& state, const std::vector<OctantEdgeCut>& cuts,
   seeder.match_vertices_and_edges();
   seeder.add_rings();
   const std::vector<double> spacings = candidate_spacings(state, cuts);
+  std::vector<double> in_blocks = spacings;
   std::optional<CutBlocks> blocks;
-  if (cuts.size() >= kCutsInBlocks) blocks.emplace(state.tree, cuts, spacings);
+  if (cuts.size() >= kCutsInBlocks) {
+    const std::vector<char> stacked = stacked_faces(state, seeder, cuts, spacings);
+    for (std::size_t i = 0; i < cuts.size(); ++i)
+      if (cuts[i].hit.on.dim == 2 && stacked[cuts[i].hit.on.tag] != 0) in_blocks[i] = 0.0;
+    blocks.emplace(state.tree, cuts, in_blocks);
+  }
+  constexpr double kAny = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < cuts.size(); ++i) {
     if (i % kCutsAQuestion == 0) ask();
-    if (spacings[i] > 0.0 && (!blocks || blocks->is_large(spacings[i])))
-      seeder.offer(cuts[i].hit, spacings[i]);
+    if (spacings[i] > 0.0 && (!blocks || in_blocks[i] == 0.0 || blocks->is_large(spacings[i])))
+      seeder.offer(cuts[i].hit, spacings[i], kAny);
   }
   add_all(seeder.own());
+  struct Placed {
+    std::vector<FacePoint> points;
+    std::vector<std::size_t> left;  ///< cuts whose partners are beyond the block's reach
+  };
+  std::vector<std::size_t> left;
   for (std::size_t colour = 0; blocks && colour < 8; ++colour) {
     ask();
     const std::vector<std::vector<CutRun>>& own = blocks->of_colour(colour);
-    const auto placed = map_blocks<std::vector<FacePoint>>(own.size(), 1, [&](std::size_t b, std::size_t) {
+    const auto placed = map_blocks<Placed>(own.size(), 1, [&](std::size_t b, std::size_t) {
       FaceSeeder beside(state);
+      Placed result;
       for (const CutRun& run : own[b])
-        for (std::size_t i = run.first; i < run.last; ++i) beside.offer(cuts[i].hit, spacings[i]);
-      return beside.own();
+        for (std::size_t i = run.first; i < run.last; ++i)
+          if (!beside.offer(cuts[i].hit, spacings[i], kBlockReach)) result.left.push_back(i);
+      result.points = beside.own();
+      return result;
     });
-    for (const std::vector<FacePoint>& points : placed) add_all(points);
+    for (const Placed& result : placed) {
+      add_all(result.points);
+      left.insert(left.end(), result.left.begin(), result.left.end());
+    }
   }
+  std::sort(left.begin(), left.end());
+  FaceSeeder last(state);
+  for (std::size_t n = 0; n < left.size(); ++n) {
+    if (n % kCutsAQuestion == 0) ask();
+    last.offer(cuts[left[n]].hit, spacings[left[n]], kAny);
+  }
+  add_all(last.own());
 }
 
 }  // namespace octet

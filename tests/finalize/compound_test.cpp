@@ -142,6 +142,25 @@ TEST(Compound, EndsWhenItsShareOfTheWorkIsSpent) {
   expect_same(state, State(shop));
   shop.compound_work = 0;
   EXPECT_TRUE(improve_by_compound(shop, improved, kGoal));
+  EXPECT_EQ(shop.compound_kept, 1u);
+}
+
+TEST(Compound, EndsWhereTooFewAreKept) {
+  constexpr double kGoal = 0.4;
+  constexpr std::uint64_t kSpent = 6'000'000;
+  const Part part = jittered_cylinder();
+  const FinalizeOptions options = testing::options_of_size(0.3);
+  const auto improves = [&](std::uint64_t kept) {
+    Workshop shop(to_work_mesh(part.mesh), part.model, options);
+    for (std::size_t i = 0; i < part.mesh.tets.size(); ++i) {
+      shop.compound_work = kSpent;
+      shop.compound_kept = kept;
+      if (shop.mesh.quality[TetId(i)] <= kGoal && improve_by_compound(shop, TetId(i), kGoal)) return true;
+    }
+    return false;
+  };
+  EXPECT_FALSE(improves(10)) << "200 000 evaluations for one";
+  EXPECT_TRUE(improves(1000));
 }
 
 }  // namespace

@@ -29,14 +29,14 @@ TEST(Improve, ObtuseAnglesAreOpened) {
   const double limit = before.max_dihedral - 0.1;
   ASSERT_GT(limit, std::numbers::pi / 2) << "none is obtuse";
   shop.forget_failures();
-  EXPECT_GT(improve_obtuse(shop, limit, observer), 0u);
+  EXPECT_GT(improve_obtuse(shop, limit, observer).bettered, 0u);
   EXPECT_EQ(check_work_mesh(shop.mesh), "");
   const Mesh mesh = to_mesh(shop.mesh);
   EXPECT_EQ(faults_of(mesh, part.model, euler), "");
   const QualitySummary after = quality_summary(mesh);
   EXPECT_LT(after.max_dihedral, before.max_dihedral);
   EXPECT_GE(after.min_dihedral, std::min(before.min_dihedral, std::numbers::pi - before.max_dihedral));
-  EXPECT_EQ(improve_obtuse(shop, std::numbers::pi, observer), 0u) << "none is beyond";
+  EXPECT_EQ(improve_obtuse(shop, std::numbers::pi, observer).bettered, 0u) << "none is beyond";
 }
 
 TEST(Improve, SmoothingInVainIsTriedAgainWhereSomethingHasChanged) {
@@ -117,6 +117,25 @@ TEST(ObtuseLimit, IsWhatATenthAreAboveWhereMostAre) {
   ASSERT_GT(above(few, kObtuse), few.tets.size() / 5);
   EXPECT_EQ(obtuse_limit(few), kObtuse) << "so few take no time";
   EXPECT_EQ(obtuse_limit(thick), kObtuse);
+}
+
+TEST(Improve, APassThatBettersFewOfManyIsTheLast) {
+  EXPECT_FALSE(is_exhausted({1000, 0})) << "so few take no time";
+  EXPECT_TRUE(is_exhausted({10'000, 499}));
+  EXPECT_FALSE(is_exhausted({10'000, 500}));
+}
+
+TEST(Improve, APassTellsWhatItTriedAndBettered) {
+  const Part part = testing::jittered(testing::cylinder_part(6), 0.05, 5);
+  const FinalizeOptions options = testing::options_of_size(0.3);
+  Workshop shop(to_work_mesh(part.mesh), part.model, options);
+  const double goal = shape_of_angle(0.8);
+  Observer observer;
+  const PassResult first = improve_worst_first(shop, goal, observer);
+  EXPECT_GT(first.bettered, 0u);
+  EXPECT_GT(first.tried, first.bettered);
+  const PassResult again = improve_worst_first(shop, goal, observer);
+  EXPECT_LT(again.tried, first.tried) << "what failed and has not changed is not tried again";
 }
 
 TEST(Schedule, WhereMostElementsAreThinTheTargetAsksForNoMoreWork) {

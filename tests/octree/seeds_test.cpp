@@ -164,6 +164,18 @@ TEST(Seeds, BlocksOfManyCutsAreTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(places(), alone);
 }
 
+TEST(Seeds, StacksOfManyCutsAreTheSameForAnyNumberOfThreads) {
+  const Model model = analytic_two_boxes(Vec3(0.006, 1, 1), {oblique(), 1e-3});
+  const auto places = [&] {
+    const Stage stage = seed(model, 0.01);
+    EXPECT_GT(stage.cuts.size(), kCutsInBlocks);
+    return stage.seeds.points.position;
+  };
+  std::vector<Vec3> alone;
+  tbb::task_arena(1).execute([&] { alone = places(); });
+  EXPECT_EQ(places(), alone);
+}
+
 /// Of octree points in a region, how near the nearest is to the surface, in local sizes; 1 where none is
 /// nearer.
 double nearest_octree_point(const Model& model, const Stage& stage, int region = 1) {
@@ -256,6 +268,43 @@ TEST(Seeds, AThinPlateGetsEveryPointTwiceStraightAcross) {
     ++pairs;
   }
   EXPECT_GT(pairs, 10u);
+}
+
+/// Two layers side by side, and how many points within their faces there are that have none straight across
+/// on the two other sheets.
+void expect_columns(double thickness, double size, std::size_t least_cuts) {
+  const Model model = analytic_two_boxes(Vec3(thickness, 1, 1), {oblique(), 1e-3});
+  const Stage stage = seed(model, size);
+  EXPECT_GE(stage.cuts.size(), least_cuts);
+  const SeedPoints& points = stage.seeds.points;
+  const double spacing = kSpacingPerOctant * size;
+  PointGrid grid(stage.tree.origin(), stage.tree.root_size());
+  for (std::uint32_t n = 0; n < stage.seeds.surface_points; ++n) grid.add(n, points.position[n], spacing);
+  const Frame frame = oblique();
+  std::size_t columns = 0, alone = 0;
+  for (std::uint32_t n = 0; n < stage.seeds.surface_points; ++n) {
+    const Vec3 local = frame.axes.transpose() * (points.position[n] - frame.origin);
+    if (points.on[n].dim != 2 || local.y() < 1e-9 || local.y() > 1 - 1e-9 || local.z() < 1e-9 ||
+        local.z() > 1 - 1e-9)
+      continue;
+    ++columns;
+    for (const double x : {0.0, thickness, 2.0 * thickness}) {
+      const Vec3 across = frame.origin + frame.axes * Vec3(x, local.y(), local.z());
+      if (!grid.any_within(across, 1e-9, [](std::uint32_t, double) { return true; })) ++alone;
+    }
+  }
+  EXPECT_GT(columns, 30u);
+  EXPECT_EQ(alone, 0u) << "of " << columns << " at " << thickness;
+}
+
+TEST(Seeds, AStackOfThinLayersGetsItsPointsInColumns) {
+  expect_columns(0.02, 0.2, 0);
+  expect_columns(0.15, 0.2, 0);  // farther than single sheets are matched
+}
+
+TEST(Seeds, AStackOfThinLayersGetsItsPointsInColumnsInBlocksToo) {
+  expect_columns(0.002, 0.01, kCutsInBlocks);
+  expect_columns(0.006, 0.01, kCutsInBlocks);  // beyond the reach of blocks
 }
 
 TEST(Seeds, EdgesOfAKnifeGetPointsAtEqualDistanceFromTheirCommonVertex) {
