@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Points on model faces: the exact cuts of octant edges, thinned by spacing, in matched pairs.
+// Points on model faces: the exact cuts of octant edges, thinned by spacing, in matched pairs and columns.
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "base/blocks.h"
@@ -25,8 +24,8 @@ struct FacePoint {
   double size;
 };
 
-/// In spacings: partners of cuts in blocks are no farther.
-constexpr double kBlockReach = kMatchDistance;
+/// What else is seeded at the same time.
+enum class Beside { kNothing, kBlocks };
 
 /// Puts points on faces into a list of its own, and reads `state` alone: several can be beside one another.
 class FaceSeeder {
@@ -54,30 +53,23 @@ class FaceSeeder {
         }
   }
 
-  /// A cut through a face, with its partners, if all of them are free. `spacing`: the octree's there. Whether
-  /// it has been dealt with: not where partners are farther than `reach` spacings.
-  bool offer(const Hit& hit, double spacing, double reach) {
+  /// A cut through a face, with its partners, if all of them are free: they go in whole or not at all.
+  /// `spacing`: the octree's there. Whether it has been dealt with: not one of a stack where it is to be
+  /// beside others, for a stack may be thicker than a block.
+  bool offer(const Hit& hit, double spacing, Beside beside) {
     const FacePoint a{hit.point, hit.on.tag, spacing};
     if (!is_free(a) ||
         (model_.is_plane(a.face) && is_crowded(a, kWideSpacing, Among::kFace) && has_room(a, hit.normal)))
       return true;
-    const std::vector<FacePoint> partners = partners_of(a, hit.normal);
-    const auto is_near = [&](const FacePoint& b) { return (b.p - a.p).norm() <= reach * a.size; };
-    if (!std::all_of(partners.begin(), partners.end(), is_near)) return false;
-    // They go in whole or not at all.
+    const bool in_stack = may_be_in_stack(a, hit.normal);
+    if (in_stack && beside == Beside::kBlocks) return false;
+    const std::vector<FacePoint> partners = partners_of(a, hit.normal, in_stack);
     if (!std::all_of(partners.begin(), partners.end(), [&](const FacePoint& b) { return is_free(b); }))
       return true;
     add(a);
     for (const FacePoint& b : partners)
       if (is_free(b)) add(b);
     return true;
-  }
-
-  /// Whether partners of a cut are farther than blocks reach.
-  [[nodiscard]] bool is_stacked(const Hit& hit, double spacing) const {
-    const std::vector<FacePoint> partners = partners_of({hit.point, hit.on.tag, spacing}, hit.normal);
-    return std::any_of(partners.begin(), partners.end(),
-                       [&](const FacePoint& b) { return (b.p - hit.point).norm() > kBlockReach * spacing; });
   }
 
   [[nodiscard]] const std::vector<FacePoint>& own() const { return own_; }
@@ -160,10 +152,10 @@ class FaceSeeder {
   }
 
   /// The points across from `a`: of a stack of sheets all, else those of sheets within kMatchDistance.
-  [[nodiscard]] std::vector<FacePoint> partners_of(const FacePoint& a, const Vec3& normal) const {
-    std::vector<FacePoint> partners;
+  [[nodiscard]] std::vector<FacePoint> partners_of(const FacePoint& a, const Vec3& normal,
+                                                   bool in_stack) const {
     constexpr int kMostSheets = 256;
-    const bool in_stack = may_be_in_stack(a, normal);
+    std::vector<FacePoint> partners;
     const double reach = (in_stack ? kThinWall : kMatchDistance) * a.size;
     for (const int side : {-1, 1}) add_sheets(a, normal, side, reach, in_stack ? kMostSheets : 1, partners);
     if (partners.size() == 1 && (partners.front().p - a.p).norm() > kMatchDistance * a.size) partners.clear();
@@ -225,23 +217,6 @@ std::vector<double> candidate_spacings(const SeedState& state, const std::vector
   return spacings;
 }
 
-/// By face tag, whether a sample of its cuts has one with partners farther than blocks reach.
-std::vector<char> stacked_faces(const SeedState& state, const FaceSeeder& seeder,
-                                const std::vector<OctantEdgeCut>& cuts, const std::vector<double>& spacings) {
-  constexpr std::size_t kSample = 64;
-  std::vector<std::size_t> met(static_cast<std::size_t>(state.model.count(2)) + 1, 0), sample;
-  for (std::size_t i = 0; i < cuts.size(); ++i)
-    if (spacings[i] > 0.0 && met[cuts[i].hit.on.tag]++ % kSample == 0) sample.push_back(i);
-  std::vector<char> is_one(sample.size(), 0);
-  tbb::parallel_for(std::size_t{0}, sample.size(), [&](std::size_t n) {
-    is_one[n] = seeder.is_stacked(cuts[sample[n]].hit, spacings[sample[n]]) ? 1 : 0;
-  });
-  std::vector<char> stacked(met.size(), 0);
-  for (std::size_t n = 0; n < sample.size(); ++n)
-    if (is_one[n] != 0) stacked[cuts[sample[n]].hit.on.tag] = 1;
-  return stacked;
-}
-
 /// Successive cuts in one block of space.
 struct CutRun {
   std::uint64_t block;
@@ -268,7 +243,7 @@ class CutBlocks {
   static constexpr double kLength = 24.0;
   /// In spacings: two partners' distances, and what keeps a partner out, with room for rounding.
   static constexpr double kReach =
-      2.0 * kBlockReach + std::max({kFaceSpacing, kPlaneSpacing, kWideSpacing}) + 0.1;
+      2.0 * kMatchDistance + std::max({kFaceSpacing, kPlaneSpacing, kWideSpacing}) + 0.1;
 
   /// The colour in front, so that blocks sorted are in the order of colours.
   [[nodiscard]] std::uint64_t block_of(const Vec3& p) const;
@@ -338,26 +313,19 @@ void seed_model_faces(SeedState& state, const std::vector<OctantEdgeCut>& cuts,
   seeder.match_vertices_and_edges();
   seeder.add_rings();
   const std::vector<double> spacings = candidate_spacings(state, cuts);
-  std::vector<double> in_blocks = spacings;
   std::optional<CutBlocks> blocks;
-  if (cuts.size() >= kCutsInBlocks) {
-    const std::vector<char> stacked = stacked_faces(state, seeder, cuts, spacings);
-    for (std::size_t i = 0; i < cuts.size(); ++i)
-      if (cuts[i].hit.on.dim == 2 && stacked[cuts[i].hit.on.tag] != 0) in_blocks[i] = 0.0;
-    blocks.emplace(state.tree, cuts, in_blocks);
-  }
-  constexpr double kAny = std::numeric_limits<double>::infinity();
+  if (cuts.size() >= kCutsInBlocks) blocks.emplace(state.tree, cuts, spacings);
   for (std::size_t i = 0; i < cuts.size(); ++i) {
     if (i % kCutsAQuestion == 0) ask();
-    if (spacings[i] > 0.0 && (!blocks || in_blocks[i] == 0.0 || blocks->is_large(spacings[i])))
-      seeder.offer(cuts[i].hit, spacings[i], kAny);
+    if (spacings[i] > 0.0 && (!blocks || blocks->is_large(spacings[i])))
+      seeder.offer(cuts[i].hit, spacings[i], Beside::kNothing);
   }
   add_all(seeder.own());
   struct Placed {
     std::vector<FacePoint> points;
-    std::vector<std::size_t> left;  ///< cuts whose partners are beyond the block's reach
+    std::vector<std::size_t> in_stacks;  ///< cuts left for afterwards
   };
-  std::vector<std::size_t> left;
+  std::vector<std::size_t> in_stacks;
   for (std::size_t colour = 0; blocks && colour < 8; ++colour) {
     ask();
     const std::vector<std::vector<CutRun>>& own = blocks->of_colour(colour);
@@ -366,20 +334,20 @@ void seed_model_faces(SeedState& state, const std::vector<OctantEdgeCut>& cuts,
       Placed result;
       for (const CutRun& run : own[b])
         for (std::size_t i = run.first; i < run.last; ++i)
-          if (!beside.offer(cuts[i].hit, spacings[i], kBlockReach)) result.left.push_back(i);
+          if (!beside.offer(cuts[i].hit, spacings[i], Beside::kBlocks)) result.in_stacks.push_back(i);
       result.points = beside.own();
       return result;
     });
     for (const Placed& result : placed) {
       add_all(result.points);
-      left.insert(left.end(), result.left.begin(), result.left.end());
+      in_stacks.insert(in_stacks.end(), result.in_stacks.begin(), result.in_stacks.end());
     }
   }
-  std::sort(left.begin(), left.end());
+  std::sort(in_stacks.begin(), in_stacks.end());
   FaceSeeder last(state);
-  for (std::size_t n = 0; n < left.size(); ++n) {
+  for (std::size_t n = 0; n < in_stacks.size(); ++n) {
     if (n % kCutsAQuestion == 0) ask();
-    last.offer(cuts[left[n]].hit, spacings[left[n]], kAny);
+    last.offer(cuts[in_stacks[n]].hit, spacings[in_stacks[n]], Beside::kNothing);
   }
   add_all(last.own());
 }

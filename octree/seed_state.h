@@ -16,7 +16,8 @@ namespace octet {
 inline constexpr double kFaceSpacing = 0.7, kPlaneSpacing = 0.8;
 /// Between points within a plane that has room on both sides; from those on its edges they keep the former.
 inline constexpr double kWideSpacing = 0.95;
-/// Sheets and edges closer than this get matched pairs.
+/// Sheets and edges closer than this get matched pairs; sheets of stacks, closer than a thin wall is thick,
+/// columns.
 inline constexpr double kMatchDistance = 0.7;
 /// Cuts are gone through in blocks of space, in parallel, where there are as many; else in their order.
 inline constexpr std::size_t kCutsInBlocks = 100'000;
@@ -53,7 +54,8 @@ struct SeedState {
 void seed_model_vertices(SeedState& state);
 /// Points on the real model edges at the local size, in matched pairs; fills `pieces`.
 void seed_model_edges(SeedState& state);
-/// Points on the model faces: octant-edge cuts by spacing within the face's closure, in matched pairs.
+/// Points on the model faces: octant-edge cuts by spacing within the face's closure, in matched
+/// pairs and columns.
 void seed_model_faces(SeedState& state, const std::vector<OctantEdgeCut>& cuts,
                       const std::function<bool()>& cancelled);
 /// Octree vertices away from the surface; outside ones only in narrow gaps, and pillars for octants of the

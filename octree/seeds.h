@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The first point set: by priority and spacing, in matched pairs where sheets face each other.
+// The first point set: by priority and spacing, in matched pairs and columns where sheets face
+// each other.
 #pragma once
 
 #include <functional>

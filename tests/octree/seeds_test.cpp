@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The first point set: where points lie, how far apart they are, and that thin sheets get matched pairs.
+// The first point set: where points lie, how far apart they are, and that thin sheets get matched pairs and
+// columns.
 #include "octree/seeds.h"
 
 #include <gtest/gtest.h>
@@ -152,10 +153,10 @@ TEST(Seeds, BlocksOfManyCutsKeepOneAnothersDistance) {
   EXPECT_GT(places, kCutsInBlocks);
 }
 
-TEST(Seeds, BlocksOfManyCutsAreTheSameForAnyNumberOfThreads) {
-  const Model model = analytic_box(Vec3(1, 1, 0.004), {oblique(), 1e-3});
+/// A part that has cuts in blocks gets the same points with one thread as with all.
+void expect_same_points(const Model& model, double size) {
   const auto places = [&] {
-    const Stage stage = seed(model, 0.008);
+    const Stage stage = seed(model, size);
     EXPECT_GT(stage.cuts.size(), kCutsInBlocks);
     return stage.seeds.points.position;
   };
@@ -164,16 +165,12 @@ TEST(Seeds, BlocksOfManyCutsAreTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(places(), alone);
 }
 
+TEST(Seeds, BlocksOfManyCutsAreTheSameForAnyNumberOfThreads) {
+  expect_same_points(analytic_box(Vec3(1, 1, 0.004), {oblique(), 1e-3}), 0.008);
+}
+
 TEST(Seeds, StacksOfManyCutsAreTheSameForAnyNumberOfThreads) {
-  const Model model = analytic_two_boxes(Vec3(0.006, 1, 1), {oblique(), 1e-3});
-  const auto places = [&] {
-    const Stage stage = seed(model, 0.01);
-    EXPECT_GT(stage.cuts.size(), kCutsInBlocks);
-    return stage.seeds.points.position;
-  };
-  std::vector<Vec3> alone;
-  tbb::task_arena(1).execute([&] { alone = places(); });
-  EXPECT_EQ(places(), alone);
+  expect_same_points(analytic_two_boxes(Vec3(0.006, 1, 1), {oblique(), 1e-3}), 0.01);
 }
 
 /// Of octree points in a region, how near the nearest is to the surface, in local sizes; 1 where none is
@@ -270,8 +267,7 @@ TEST(Seeds, AThinPlateGetsEveryPointTwiceStraightAcross) {
   EXPECT_GT(pairs, 10u);
 }
 
-/// Two layers side by side, and how many points within their faces there are that have none straight across
-/// on the two other sheets.
+/// Of two layers side by side, each point within a face has points straight across on the two other sheets.
 void expect_columns(double thickness, double size, std::size_t least_cuts) {
   const Model model = analytic_two_boxes(Vec3(thickness, 1, 1), {oblique(), 1e-3});
   const Stage stage = seed(model, size);
@@ -304,7 +300,7 @@ TEST(Seeds, AStackOfThinLayersGetsItsPointsInColumns) {
 
 TEST(Seeds, AStackOfThinLayersGetsItsPointsInColumnsInBlocksToo) {
   expect_columns(0.002, 0.01, kCutsInBlocks);
-  expect_columns(0.006, 0.01, kCutsInBlocks);  // beyond the reach of blocks
+  expect_columns(0.006, 0.01, kCutsInBlocks);  // farther than partners in blocks
 }
 
 TEST(Seeds, EdgesOfAKnifeGetPointsAtEqualDistanceFromTheirCommonVertex) {
