@@ -18,6 +18,7 @@
 #include "app/size_boxes.h"
 #include "app/size_notes.h"
 #include "app/size_table.h"
+#include "app/suited_octants.h"
 #include "geom/occt/read_part.h"
 #include "geom/size_memo.h"
 
@@ -32,13 +33,15 @@ void print_sizes(const InfoCommand& command, const Model& model, const LengthUni
   const OwnFrame frame(model, options);
   SizeMemo memo;
   const MeshOptions sized = with_default_size(frame.model(), frame.options(), &memo);
-  const SizePlan plan = plan_sizes(frame.model(), sized, &memo);
+  SizePlan plan = plan_sizes(frame.model(), sized, &memo);
+  const std::string suited = suit_octants(frame.model(), sized, plan);
   if (!command.size_field.empty()) {
     SizeBoxes boxes = size_boxes(frame.model(), plan);
     frame.to_part(boxes.points);
     write_size_field(command.size_field, boxes, 1.0 / unit.millimetres);
   }
-  const std::vector<std::string> notes = size_notes(model, options);
+  std::vector<std::string> notes = size_notes(model, options);
+  if (!suited.empty()) notes.push_back(suited);
   fmt::print("{}", command.json ? size_table_json(name, frame.model(), plan, notes)
                                 : size_table(name, frame.model(), plan, notes));
 }

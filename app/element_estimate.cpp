@@ -9,13 +9,6 @@
 #include "octree/octant_types.h"
 
 namespace octet {
-namespace {
-
-/// Of a boundary octant about half lies inside, in more and flatter tetrahedra: the median over 80 parts.
-constexpr double kTetsPerBoundaryOctant = 7.0;
-
-}  // namespace
-
 double estimated_elements(const Model& model, const SizePlan& plan) {
   OctreeRequest request = octant_request(plan);
   request.max_within = std::max(request.max_within, most_octants_within(SizeControl().max_elements));

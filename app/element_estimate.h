@@ -7,6 +7,9 @@
 
 namespace octet {
 
+/// Of a boundary octant about half lies inside, in more and flatter tetrahedra: the median over 80 parts.
+inline constexpr double kTetsPerBoundaryOctant = 7.0;
+
 /// Tetrahedra of a mesh with these sizes, to a tenth or two on most parts, at a small share of a mesh's cost:
 /// octants inside and on the boundary are counted. Of planned_octree() for what is told.
 [[nodiscard]] double estimated_elements(const Model& model, const Octree& tree);

@@ -43,8 +43,9 @@ double lattice_length(double asked, const std::vector<double>& wanted) {
 // Where a region is coarser than the size asked for, its octants are so many levels above the lattice's.
 OctreeRequest octant_request(const SizePlan& plan) {
   OctreeRequest request;
-  const double lattice = lattice_length(plan.asked, plan.wanted);
-  const double levels = std::round(std::log2(plan.size / kEdgePerOctant / lattice));
+  const double shift = std::exp2(plan.octaves);
+  const double lattice = lattice_length(shift * plan.asked, plan.wanted);
+  const double levels = std::round(std::log2(shift * plan.size / kEdgePerOctant / lattice));
   request.size = std::exp2(levels) * lattice;
   request.layers = layers_of_growth(plan.growth);
   request.max_within = most_octants_within(plan.max_elements);

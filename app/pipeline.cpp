@@ -27,6 +27,7 @@
 #include "app/size_shortfall.h"
 #include "app/stage_clock.h"
 #include "app/stage_times.h"
+#include "app/suited_octants.h"
 #include "app/target_elements.h"
 #include "app/usable_threads.h"
 #include "app/watched_observer.h"
@@ -154,6 +155,8 @@ class Run {
     begin("sizes", 0.0);
     check_volume(model_, options_, global_size(model_, options_));
     plan_ = plan_sizes(model_, options_, &memo_);
+    if (std::string note = suit_octants(model_, options_, plan_); !note.empty())
+      result_.report.notes.push_back(std::move(note));
     result_.report.size = plan_.asked;
     for (const WideGap& gap : wide_gaps(part_, plan_.asked))
       result_.report.warnings.push_back(warning_of(gap, part_));

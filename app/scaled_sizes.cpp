@@ -100,8 +100,9 @@ MeshOptions scaled_sizes(const Model& model, const MeshOptions& options, double 
   MeshOptions scaled = options;
   scaled.target_elements = 0.0;
   scaled.size = scale * global_size(model, options);
-  scaled.max_size = 0.0;          // in the size already
-  scaled.suit_curvature = false;  // counts would jump with the phase of the octants' lengths
+  scaled.max_size = 0.0;  // in the size already
+  // Counts would jump with the phase of the octants' lengths.
+  scaled.suit_curvature = scaled.suit_own_sizes = false;
   scaled.region_scale *= scale;
   scaled.curvature_angle =
       std::min(scale * options.curvature_angle, std::max(options.curvature_angle, kWidestAngle));
@@ -142,8 +143,9 @@ bool has_free_sizes(const MeshOptions& options) {
 double most_by_default(const Model& model) { return kMost * std::max(1.0, model.count(2) / kManyFaces); }
 
 MeshOptions with_default_size(const Model& model, const MeshOptions& options, SizeMemo* memo) {
-  if (options.size != 0.0) return options;
   MeshOptions chosen = options;
+  chosen.suit_own_sizes = options.size != 0.0;
+  if (options.size != 0.0) return chosen;
   chosen.size = global_size(model, options);
   chosen.suit_curvature = true;
   if (options.small_regions) chosen.region_scale = 1.0;

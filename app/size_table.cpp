@@ -11,6 +11,7 @@
 
 #include "app/element_estimate.h"
 #include "app/octant_sizes.h"
+#include "app/words.h"
 
 namespace octet {
 namespace {
@@ -66,10 +67,9 @@ std::map<ModelRef, EntitySize> entity_sizes(const SizePlan& plan) {
 std::string size_table(const std::string& part, const Model& model, const SizePlan& plan,
                        const std::vector<std::string>& notes) {
   const double elements = estimated_elements(model, planned_octree(model, plan));
-  const double digit = std::pow(10.0, std::floor(std::log10(std::max(elements, 10.0))) - 1.0);
-  std::string text = fmt::format(
-      "{}\n  about {:.0f} tetrahedra, with edges of {:.4g} mm ({:.4g} asked for)\n", part,
-      digit * std::round(elements / digit), kEdgePerOctant * octant_request(plan).size, plan.asked);
+  std::string text =
+      fmt::format("{}\n  about {} tetrahedra, with edges of {:.4g} mm ({:.4g} asked for)\n", part,
+                  about_text(elements), kEdgePerOctant * octant_request(plan).size, plan.asked);
   const auto sizes = entity_sizes(plan);
   if (!sizes.empty()) text += fmt::format("    {:<24} {:>10}    {:>10}\n", "but for", "asked for", "gets");
   for (const auto& [entity, size] : sizes)
@@ -82,7 +82,10 @@ std::string size_table(const std::string& part, const Model& model, const SizePl
 
 std::string size_table_json(const std::string& part, const Model& model, const SizePlan& plan,
                             const std::vector<std::string>& notes) {
-  nlohmann::ordered_json json{{"part", part}, {"size", plan.asked}, {"min_size", plan.min_size}};
+  nlohmann::ordered_json json{{"part", part},
+                              {"size", plan.asked},
+                              {"edges", kEdgePerOctant * octant_request(plan).size},
+                              {"min_size", plan.min_size}};
   json["estimated_elements"] = estimated_elements(model, planned_octree(model, plan));
   json["entities"] = nlohmann::ordered_json::array();
   for (const auto& [entity, size] : entity_sizes(plan))

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <string>
 
@@ -13,6 +15,12 @@ namespace octet {
 
 inline std::string place_text(const Vec3& p) {
   return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x(), p.y(), p.z());
+}
+
+/// An estimate, by its first two digits: "1400".
+inline std::string about_text(double number) {
+  const double digit = std::pow(10.0, std::floor(std::log10(std::max(number, 10.0))) - 1.0);
+  return fmt::format("{:.0f}", digit * std::round(number / digit));
 }
 
 /// "Edge3, Edge7": the first ten, and how many more there are.

@@ -264,6 +264,7 @@ SizePlan coarsened(SizePlan plan, double scale) {
   plan.asked *= scale;
   plan.size *= scale;
   plan.min_size *= scale;
+  plan.octaves = 0.0;
   plan.wanted.clear();
   for (double& size : plan.region_size) {
     size *= scale;

@@ -28,6 +28,7 @@ struct SizeControl {
   double curvature_angle = 0.585;  ///< radians of turning per element: eleven on a circle; 0: off
   double curvature_floor = 0.0;    ///< curvature refines no further; 0: size / 11
   bool suit_curvature = false;     ///< the octants' lengths suit the commonest radius, too
+  bool suit_own_sizes = false;     ///< they suit what the part asks for itself, where that spares elements
   double wall_elements = 1.0;      ///< n across walls; 0: off
   double gap_elements = 1.0;       ///< n across gaps and to edges that run close by; 0: off
   bool short_edges = true;         ///< edges shorter than the size are one element
@@ -58,8 +59,10 @@ struct WishCost {
 
 /// What the octree is built from.
 struct SizePlan {
-  double asked = 0.0;     ///< the size asked for or chosen
-  double size = 0.0;      ///< that, or the largest size of a region above it: nothing is coarser
+  double asked = 0.0;  ///< the size asked for or chosen
+  double size = 0.0;   ///< that, or the largest size of a region above it: nothing is coarser
+  double octaves =
+      0.0;  ///< octants are so much longer (below 0: shorter) than `asked` says, for what the part asks for
   double min_size = 0.0;  ///< no wish is smaller
   std::vector<double>
       wanted;  ///< sizes of attributes, and for the commonest radius: the lattice should suit them
