@@ -13,6 +13,7 @@
 
 #include "app/apart.h"
 #include "app/attempt.h"
+#include "app/edge_divisions.h"
 #include "app/element_limits.h"
 #include "app/geometry_faults.h"
 #include "app/held_boundary.h"
@@ -167,6 +168,7 @@ class Run {
     refuse_crossings();
     octant_ = octant_request(plan_).size;
     seeds_.size = octant_;
+    seeds_.divisions = edge_divisions(model_, options_.attributes);
     seeds_.cancelled = options_.cancelled;
   }
 
@@ -400,7 +402,7 @@ class Run {
     finalize_options.fixed_vertices = fixed_vertices_;
     finalize_options.volume_beyond = deep_volumes(band_->tree, band_->labels, band_->split, model_.count(3));
     finalize_options.size_at = [this](const Vec3& p) { return band_->tree.spacing_at(p); };
-    finalize_options.held = held_.vertices();
+    finalize_options.held = with_divided(held_.vertices(), result_.mesh, seeds_.divisions);
     if (const GapRooms* rooms = held_.rooms())
       finalize_options.room_at = [rooms](const Vec3& p) { return rooms->at(p); };
     if (wish_) finalize_options.coarse_size_at = [this](const Vec3& p) { return wish_->spacing_at(p); };
@@ -524,6 +526,8 @@ class Run {
   void summarize() {
     begin("summary", 0.98);
     measure_mesh(result_.mesh, part_, result_.report);
+    if (auto note = note_of_divisions(result_.mesh, seeds_.divisions))
+      result_.report.notes.push_back(*std::move(note));
     end();
   }
 

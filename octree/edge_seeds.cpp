@@ -51,12 +51,44 @@ class SizedLength {
   std::vector<double> t_, s_;
 };
 
+/// The parameters that part an edge into n pieces as long as each other.
+std::vector<double> equal_parts(const Model& model, int tag, int n) {
+  constexpr int kSamplesAPiece = 64;
+  const ModelEdge& edge = model.edge(tag);
+  const int samples = kSamplesAPiece * n;
+  const auto parameter = [&](int i) { return edge.t0 + (edge.t1 - edge.t0) * i / samples; };
+  std::vector<double> length{0.0};
+  Vec3 last = model.edge_point(tag, edge.t0);
+  for (int i = 1; i <= samples; ++i) {
+    const Vec3 p = model.edge_point(tag, parameter(i));
+    length.push_back(length.back() + (p - last).norm());
+    last = p;
+  }
+  std::vector<double> parts;
+  int i = 1;
+  for (int k = 1; k < n; ++k) {
+    const double wanted = length.back() * k / n;
+    while (i < samples && length[i] < wanted) ++i;
+    const double step = length[i] - length[i - 1];
+    const double share = step > 0.0 ? (wanted - length[i - 1]) / step : 0.0;
+    parts.push_back(parameter(i - 1) + share * (parameter(i) - parameter(i - 1)));
+  }
+  return parts;
+}
+
 class EdgeSeeder {
  public:
-  explicit EdgeSeeder(SeedState& state)
-      : state_(state), model_(state.model), stops_(static_cast<std::size_t>(model_.count(1)) + 1) {}
+  EdgeSeeder(SeedState& state, const std::vector<int>& divisions)
+      : state_(state),
+        model_(state.model),
+        stops_(static_cast<std::size_t>(model_.count(1)) + 1),
+        divided_(stops_.size(), false) {
+    for (int e = 1; e < static_cast<int>(divisions.size()); ++e)
+      if (divisions[e] > 0 && model_.edge(e).use == EdgeUse::kReal) divide(e, divisions[e]);
+  }
 
   void run() {
+    match_pending();
     match_vertices();
     stop_at_rings();
     for (int e = 1; e <= model_.count(1); ++e) {
@@ -80,6 +112,7 @@ class EdgeSeeder {
 
   /// Puts a stop on the edge unless one is near; its own partners are sought later.
   void add_stop(int tag, double t, double spacing) {
+    if (divided_[tag]) return;
     const ModelEdge& edge = model_.edge(tag);
     const Vec3 p = model_.edge_point(tag, t);
     const double clear = spacing * spacing_at(p);
@@ -157,7 +190,19 @@ class EdgeSeeder {
                        [&](int face) { return state_.seeds.tips.holder(face, model_.edge_point(tag, t)); });
   }
 
+  /// In equal pieces, for the user's sake, unless they are far from the local size.
+  void divide(int tag, int pieces) {
+    constexpr double kShortest = 0.4, kLongest = 2.2;
+    const ModelEdge& edge = model_.edge(tag);
+    const double mean = SizedLength(state_, tag).at(edge.t1) / pieces;
+    if (mean < kShortest || mean > kLongest) return;
+    divided_[tag] = true;
+    stops_[tag] = equal_parts(model_, tag, std::max(pieces, least_pieces(tag, edge.t0, edge.t1)));
+    for (const double t : stops_[tag]) pending_.push_back({tag, t});
+  }
+
   void subdivide(int tag) {
+    if (divided_[tag]) return;
     const ModelEdge& edge = model_.edge(tag);
     const SizedLength length(state_, tag);
     std::vector<double> ends = stops_[tag];
@@ -251,11 +296,14 @@ class EdgeSeeder {
   SeedState& state_;
   const Model& model_;
   std::vector<std::vector<double>> stops_;  ///< interior parameters per edge, ascending
+  std::vector<bool> divided_;               ///< per edge: its stops are all that it has
   std::deque<Stop> pending_;
 };
 
 }  // namespace
 
-void seed_model_edges(SeedState& state) { EdgeSeeder(state).run(); }
+void seed_model_edges(SeedState& state, const std::vector<int>& divisions) {
+  EdgeSeeder(state, divisions).run();
+}
 
 }  // namespace octet

@@ -22,7 +22,7 @@ Seeder::~Seeder() = default;
 
 void Seeder::seed_boundary(const std::vector<OctantEdgeCut>& cuts) {
   seed_model_vertices(*state_);
-  seed_model_edges(*state_);
+  seed_model_edges(*state_, options_.divisions);
   seed_model_faces(*state_, cuts, options_.cancelled);
 }
 
@@ -161,6 +161,15 @@ void seed_octree_vertices(SeedState& state, const OctreeVertices& vertices, cons
   const auto is_vague = [&](std::uint32_t v) {
     return vagueness.covers(state.tree.position(vertices.at[v]), options.octree_clearance * spacing_at(v));
   };
+  // Pieces that the user asks for may be longer than points are apart.
+  const auto is_beside_piece = [&](const Vec3& p, double spacing) {
+    return !options.divisions.empty() &&
+           state.piece_grid.any_around(p, 2.0 * spacing, [&](std::uint32_t n, double) {
+             const EdgePiece& piece = seeds.pieces[n];
+             return options.divisions[static_cast<std::size_t>(piece.edge)] > 0 &&
+                    (p - seeds.points.position[piece.a]).dot(p - seeds.points.position[piece.b]) < 0.0;
+           });
+  };
   // Octree vertices are on a lattice of their own spacing: only points placed before them can be too close.
   const auto is_clear = [&](std::uint32_t v) {
     const Vec3 p = state.tree.position(vertices.at[v]);
@@ -176,7 +185,8 @@ void seed_octree_vertices(SeedState& state, const OctreeVertices& vertices, cons
       return labels.vertex_region[v] != 0 && surface &&
              is_in_wall(state.model, p, *surface, thickness * spacing);
     };
-    if (is_crowded(clear) || is_vague(v) || is_in_material(kThinWall)) return false;
+    if (is_crowded(clear) || is_vague(v) || is_beside_piece(p, spacing) || is_in_material(kThinWall))
+      return false;
     return !is_crowded(open_clear) || is_in_material(kWall);
   };
   std::vector<std::uint8_t>& kept = seeds.octree_vertex_kept;

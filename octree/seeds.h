@@ -29,6 +29,8 @@ struct SeedOptions {
   /// Between an octree vertex and the surface or another point, in local sizes: where a wall ends near by,
   /// and elsewhere.
   double octree_clearance = 0.4, open_clearance = 0.55;
+  /// Per model edge ([0] unused), or empty: how many equal pieces it is to have; 0: by the local size.
+  std::vector<int> divisions = {};
   std::function<bool()> cancelled = {};  ///< as in cut_octant_edges()
 };
 

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is asked for, what is held, and what came of it.
+#include "app/edge_divisions.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace octet {
+
+std::vector<int> edge_divisions(const Model& model, const std::vector<SizeAttribute>& wishes) {
+  std::vector<int> divisions;
+  for (const SizeAttribute& wish : wishes) {
+    if (wish.elements <= 0) continue;
+    divisions.resize(static_cast<std::size_t>(model.count(1)) + 1, 0);
+    for (const ModelRef edge : selected_entities(model, wish)) {
+      int& most = divisions[static_cast<std::size_t>(edge.tag)];
+      most = std::max(most, wish.elements);
+    }
+  }
+  return divisions;
+}
+
+std::vector<Mesh::Index> with_divided(std::vector<Mesh::Index> held, const Mesh& mesh,
+                                      const std::vector<int>& divisions) {
+  if (divisions.empty()) return held;
+  for (std::size_t v = 0; v < mesh.point_on.size(); ++v) {
+    const ModelRef on = mesh.point_on[v];
+    if (on.dim == 1 && divisions[static_cast<std::size_t>(on.tag)] > 0)
+      held.push_back(static_cast<Mesh::Index>(v));
+  }
+  std::sort(held.begin(), held.end());
+  held.erase(std::unique(held.begin(), held.end()), held.end());
+  return held;
+}
+
+std::optional<std::string> note_of_divisions(const Mesh& mesh, const std::vector<int>& divisions) {
+  constexpr int kTold = 5;
+  std::vector<int> pieces(divisions.size(), 0);
+  for (const std::int32_t edge : mesh.edge_on)
+    if (static_cast<std::size_t>(edge) < pieces.size()) ++pieces[static_cast<std::size_t>(edge)];
+  std::string others;
+  int count = 0;
+  for (std::size_t e = 1; e < divisions.size(); ++e) {
+    if (divisions[e] == 0 || pieces[e] == 0 || divisions[e] == pieces[e]) continue;
+    if (count++ < kTold)
+      others += fmt::format("{}Edge{} has {} ({})", others.empty() ? "" : ", ", e, pieces[e], divisions[e]);
+  }
+  if (count == 0) return std::nullopt;
+  if (count > kTold) others += fmt::format(" and {} more", count - kTold);
+  return "edges with another number of elements than asked for (in brackets), for smaller sizes about them, "
+         "the "
+         "user's or the part's own, or for holes that points on them close: " +
+         others;
+}
+
+}  // namespace octet
