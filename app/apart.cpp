@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <limits>
 
 #include "app/scaled_sizes.h"
+#include "app/watched_observer.h"
 #include "geom/bodies.h"
 #include "geom/sizing.h"
 
@@ -256,12 +258,17 @@ MeshResult mesh_apart(const Model& model, const MeshOptions& options, Observer& 
   each.order = 1;
   MeshResult whole;
   whole.report.status = MeshStatus::kComplete;
+  const auto share = [&](std::size_t b) {
+    return static_cast<double>(b) / static_cast<double>(bodies.size());
+  };
+  const std::function<bool()> never;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const Model& body = bodies[b];
     each.attributes = attributes[b];
     each.size = body_size(body, all);
     each.max_elements = options.max_elements - std::min(options.max_elements, whole.report.tets);
-    const MeshResult part = mesh_part(body, each, observer);
+    WatchedObserver own(observer, never, share(b), share(b + 1));
+    const MeshResult part = mesh_part(body, each, own);
     whole.report.size = std::max(whole.report.size, part.report.size);
     append_mesh(body, part.mesh, whole.mesh);
     append_report(body, part.report, whole.report);

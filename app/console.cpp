@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <csignal>
 #include <cstdio>
 
@@ -34,7 +33,7 @@ Console::Console(ConsoleOptions options) : options_(std::move(options)) {
 }
 
 void Console::stage(std::string_view name, double fraction) {
-  const int percent = static_cast<int>(100.0 * std::clamp(fraction, 0.0, 1.0));
+  const int percent = static_cast<int>(100.0 * onward_(fraction));
   if (options_.notes) {
     note(fmt::format("[{:3}%] {}", percent, name));
   } else if (options_.progress) {

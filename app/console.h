@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/observer.h"
+#include "base/onward.h"
 
 namespace octet {
 
@@ -39,6 +40,7 @@ class Console : public Observer {
 
  private:
   ConsoleOptions options_;
+  Onward onward_;
   bool line_ = false;
   int dumps_ = 0;
 };

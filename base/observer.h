@@ -12,7 +12,8 @@ struct Mesh;
 class Observer {
  public:
   virtual ~Observer() = default;
-  /// A stage begins; `fraction` of the whole run is done (0..1).
+  /// A stage begins; `fraction` of the whole run is done (0..1), which a run never tells less of than before:
+  /// where a part is tried again, what is left is what that goes through.
   virtual void stage(std::string_view /*name*/, double /*fraction*/) {}
   /// A line worth telling with --verbose.
   virtual void note(std::string_view /*text*/) {}

@@ -9,6 +9,7 @@
 #include <TopoDS_Compound.hxx>
 #include <algorithm>
 
+#include "geom/analytic.h"
 #include "geom/bodies.h"
 #include "geom/model_check.h"
 #include "geom/occt/from_shape.h"
@@ -63,6 +64,38 @@ TEST(Apart, EveryBodyIsMeshedAndJudgedByItself) {
   result.mesh.tets.pop_back();
   result.mesh.tet_in.pop_back();
   EXPECT_FALSE(accept_apart(result.mesh, model).holds());
+}
+
+/// The shares of a run as it tells them.
+class Shares : public Observer {
+ public:
+  void stage(std::string_view name, double fraction) override {
+    told.push_back(fraction);
+    if (name == "finalization") ++tries;
+  }
+  std::vector<double> told;
+  int tries = 0;
+};
+
+TEST(Apart, ProgressGoesOnFromBodyToBody) {
+  Shares shares;
+  MeshOptions options;
+  options.size = 0.5;
+  (void)mesh_part(touching_boxes(false), options, shares);
+  EXPECT_TRUE(std::is_sorted(shares.told.begin(), shares.told.end()));
+  // The second of two bodies begins half-way.
+  EXPECT_TRUE(std::count(shares.told.begin(), shares.told.end(), 0.5) > 0);
+}
+
+TEST(Apart, ProgressGoesOnFromTryToTry) {
+  Shares shares;
+  MeshOptions options;
+  options.target_elements = 5000.0;
+  options.curvature_angle = 0.3;
+  (void)mesh_part(analytic_torus(1.2, 0.4, {{}, 1e-3}), options, shares);
+  EXPECT_GT(shares.tries, 1);
+  EXPECT_TRUE(std::is_sorted(shares.told.begin(), shares.told.end()));
+  EXPECT_LE(shares.told.back(), 1.0);
 }
 
 TEST(Apart, ABodyIsNoCoarserThanItWouldBeByItself) {
