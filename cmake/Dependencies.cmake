@@ -33,8 +33,8 @@ if(OpenCASCADE_VERSION VERSION_LESS 7.6)
   message(FATAL_ERROR "Octet needs OpenCASCADE 7.6 or newer; found ${OpenCASCADE_VERSION}")
 endif()
 
-# HDF5, for .med and .xdmf alone. The program loads its library by this name when it is asked for such a file.
-option(OCTET_HDF5 "Write formats that are HDF5 files (.med, .xdmf), where HDF5 is found" ON)
+# HDF5, for .med, .xdmf and .cgns alone. The program loads its library by this name when it is asked for such a file.
+option(OCTET_HDF5 "Write formats that are HDF5 files (.med, .xdmf, .cgns), where HDF5 is found" ON)
 set(OCTET_HDF5_FOUND OFF)
 if(OCTET_HDF5)
   find_path(OCTET_HDF5_INCLUDE_DIR hdf5.h PATH_SUFFIXES hdf5/serial)
@@ -48,6 +48,6 @@ if(OCTET_HDF5)
     set(OCTET_HDF5_FOUND ON)
     message(STATUS "HDF5: ${OCTET_HDF5_LIBRARY} (${OCTET_HDF5_SONAME})")
   else()
-    message(STATUS "HDF5 is not found (Debian: libhdf5-dev): .med and .xdmf cannot be written")
+    message(STATUS "HDF5 is not found (Debian: libhdf5-dev): .med, .xdmf and .cgns cannot be written")
   endif()
 endif()

@@ -15,19 +15,26 @@
 namespace octet {
 namespace {
 
-#define OCTET_HDF5_FUNCTIONS(F)                                                                      \
-  F(H5open)                                                                                          \
-  F(H5Eget_auto2)                                                                                    \
-  F(H5Eset_auto2)                                                                                    \
-  F(H5Fcreate)                                                                                       \
-  F(H5Fclose) F(H5Gcreate2) F(H5Gclose) F(H5Oopen) F(H5Oclose) F(H5Acreate2) F(H5Awrite) F(H5Aclose) \
-      F(H5Screate) F(H5Screate_simple) F(H5Sselect_hyperslab) F(H5Sclose) F(H5Tcopy) F(H5Tset_size)  \
-          F(H5Tarray_create2) F(H5Tclose) F(H5Pcreate) F(H5Pset_obj_track_times) F(H5Pset_fill_time) \
+#define OCTET_HDF5_FUNCTIONS(F)                                                                             \
+  F(H5open)                                                                                                 \
+  F(H5Eget_auto2)                                                                                           \
+  F(H5Eset_auto2)                                                                                           \
+  F(H5Fcreate)                                                                                              \
+  F(H5Fclose)                                                                                               \
+  F(H5Gcreate2)                                                                                             \
+  F(H5Gclose) F(H5Oopen) F(H5Oclose) F(H5Acreate2) F(H5Awrite) F(H5Aclose) F(H5Screate) F(H5Screate_simple) \
+      F(H5Sselect_hyperslab) F(H5Sclose) F(H5Tcopy) F(H5Tset_size) F(H5Tarray_create2) F(H5Tclose)          \
+          F(H5Pcreate) F(H5Pset_obj_track_times) F(H5Pset_fill_time) F(H5Pset_link_creation_order)          \
               F(H5Pclose) F(H5Dcreate2) F(H5Dget_space) F(H5Dwrite) F(H5Dclose)
 /// Numbers that are known once the library has been opened.
-#define OCTET_HDF5_NUMBERS(F) \
-  F(H5T_NATIVE_INT8_g)        \
-  F(H5T_NATIVE_INT32_g) F(H5T_NATIVE_DOUBLE_g) F(H5T_C_S1_g) F(H5P_CLS_DATASET_CREATE_ID_g)
+#define OCTET_HDF5_NUMBERS(F)                                                                   \
+  F(H5T_NATIVE_INT8_g)                                                                          \
+  F(H5T_NATIVE_INT32_g)                                                                         \
+  F(H5T_NATIVE_FLOAT_g)                                                                         \
+  F(H5T_NATIVE_DOUBLE_g) F(H5T_C_S1_g) F(H5P_CLS_FILE_CREATE_ID_g) F(H5P_CLS_GROUP_CREATE_ID_g) \
+      F(H5P_CLS_DATASET_CREATE_ID_g)
+
+constexpr unsigned kKeepOrder = H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED;
 
 /// H5F_ACC_TRUNC, which as a macro calls the library itself.
 constexpr unsigned kTruncate = 2;
@@ -88,6 +95,14 @@ std::mutex& one_at_a_time() {
 const Library& loaded() {
   static const Library library = load();
   return library;
+}
+
+/// By Hdf5File's kinds.
+hid_t type_of(int kind) {
+  const Library& h5 = loaded();
+  const hid_t types[] = {h5.H5T_NATIVE_INT8_g, h5.H5T_NATIVE_INT32_g, h5.H5T_NATIVE_FLOAT_g,
+                         h5.H5T_NATIVE_DOUBLE_g};
+  return types[kind];
 }
 
 /// What fails is told by exceptions, and by the library itself only where its host has asked for that.
@@ -152,12 +167,14 @@ void Hdf5File::fail(const char* function, int error) const {
   throw OutputError(fmt::format("cannot write \"{}\": HDF5's {} failed{}", named_, function, reason));
 }
 
-Hdf5File::Hdf5File(const OutputFile& file) : named_(file.named().string()) {
+Hdf5File::Hdf5File(const OutputFile& file, Order order) : named_(file.named().string()), order_(order) {
   check_hdf5();
   alone_ = std::unique_lock<std::mutex>(one_at_a_time());
   if (file.temporary().empty())
     throw OutputError(fmt::format("cannot write \"{}\": a file of HDF5 needs a regular file", named_));
-  file_ = OCTET_HDF5_CALL(H5Fcreate, file.temporary().string().c_str(), kTruncate, H5P_DEFAULT, H5P_DEFAULT);
+  const Open options(OCTET_HDF5_CALL(H5Pcreate, loaded().H5P_CLS_FILE_CREATE_ID_g), loaded().H5Pclose);
+  if (order_ == Order::kAsMade) OCTET_HDF5_CALL(H5Pset_link_creation_order, options, kKeepOrder);
+  file_ = OCTET_HDF5_CALL(H5Fcreate, file.temporary().string().c_str(), kTruncate, options, H5P_DEFAULT);
 }
 
 Hdf5File::~Hdf5File() {
@@ -176,15 +193,20 @@ void Hdf5File::close() {
 
 void Hdf5File::group(const std::string& path) {
   const Library& h5 = loaded();
-  const Open group(OCTET_HDF5_CALL(H5Gcreate2, file_, path.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+  const Open options(OCTET_HDF5_CALL(H5Pcreate, h5.H5P_CLS_GROUP_CREATE_ID_g), h5.H5Pclose);
+  if (order_ == Order::kAsMade) OCTET_HDF5_CALL(H5Pset_link_creation_order, options, kKeepOrder);
+  const Open group(OCTET_HDF5_CALL(H5Gcreate2, file_, path.c_str(), H5P_DEFAULT, options, H5P_DEFAULT),
                    h5.H5Gclose);
 }
 
-void Hdf5File::put_attribute(const std::string& path, const char* name, std::int64_t type,
-                             const void* value) {
+void Hdf5File::put_attribute(const std::string& path, const char* name, std::int64_t type, const void* value,
+                             bool as_array) {
   const Library& h5 = loaded();
   const Open object(OCTET_HDF5_CALL(H5Oopen, file_, path.c_str(), H5P_DEFAULT), h5.H5Oclose);
-  const Open space(OCTET_HDF5_CALL(H5Screate, H5S_SCALAR), h5.H5Sclose);
+  const hsize_t one = 1;
+  const Open space(
+      as_array ? OCTET_HDF5_CALL(H5Screate_simple, 1, &one, nullptr) : OCTET_HDF5_CALL(H5Screate, H5S_SCALAR),
+      h5.H5Sclose);
   const Open attribute(OCTET_HDF5_CALL(H5Acreate2, object, name, type, space, H5P_DEFAULT, H5P_DEFAULT),
                        h5.H5Aclose);
   OCTET_HDF5_CALL(H5Awrite, attribute, type, value);
@@ -196,6 +218,10 @@ void Hdf5File::attribute(const std::string& path, const char* name, std::int32_t
 
 void Hdf5File::attribute(const std::string& path, const char* name, double value) {
   put_attribute(path, name, loaded().H5T_NATIVE_DOUBLE_g, &value);
+}
+
+void Hdf5File::attribute_array(const std::string& path, const char* name, std::int32_t value) {
+  put_attribute(path, name, loaded().H5T_NATIVE_INT32_g, &value, true);
 }
 
 void Hdf5File::attribute(const std::string& path, const char* name, const std::string& text,
@@ -220,8 +246,7 @@ void Hdf5File::begin_array(const std::string& path, Kind kind, const std::vector
   OCTET_HDF5_CALL(H5Pset_fill_time, options, H5D_FILL_TIME_NEVER);
   kind_ = kind;
   dims_ = dims;
-  array_ = OCTET_HDF5_CALL(H5Dcreate2, file_, path.c_str(),
-                           kind == Kind::kInt32 ? h5.H5T_NATIVE_INT32_g : h5.H5T_NATIVE_DOUBLE_g, space,
+  array_ = OCTET_HDF5_CALL(H5Dcreate2, file_, path.c_str(), type_of(static_cast<int>(kind)), space,
                            H5P_DEFAULT, options, H5P_DEFAULT);
 }
 
@@ -233,8 +258,8 @@ void Hdf5File::put(std::uint64_t first, std::uint64_t count, const void* values)
   OCTET_HDF5_CALL(H5Sselect_hyperslab, in_file, H5S_SELECT_SET, start, nullptr, extent, nullptr);
   const Open in_memory(OCTET_HDF5_CALL(H5Screate_simple, static_cast<int>(dims_.size()), extent, nullptr),
                        h5.H5Sclose);
-  OCTET_HDF5_CALL(H5Dwrite, array_, kind_ == Kind::kInt32 ? h5.H5T_NATIVE_INT32_g : h5.H5T_NATIVE_DOUBLE_g,
-                  in_memory, in_file, H5P_DEFAULT, values);
+  OCTET_HDF5_CALL(H5Dwrite, array_, type_of(static_cast<int>(kind_)), in_memory, in_file, H5P_DEFAULT,
+                  values);
 }
 
 void Hdf5File::end_array() {

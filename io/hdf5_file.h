@@ -27,7 +27,9 @@ class Hdf5File {
  public:
   /// Takes the place of what `file` writes to, into which nothing may be written besides; its commit() comes
   /// after close(). OutputError when that is a pipe or a device, in which HDF5 cannot go back.
-  explicit Hdf5File(const OutputFile& file);
+  /// `order`: which order of a group's members the file keeps.
+  enum class Order { kOfNames, kAsMade };
+  explicit Hdf5File(const OutputFile& file, Order order = Order::kOfNames);
   ~Hdf5File();
   Hdf5File(const Hdf5File&) = delete;
   Hdf5File& operator=(const Hdf5File&) = delete;
@@ -36,11 +38,13 @@ class Hdf5File {
   void group(const std::string& path);
   void attribute(const std::string& path, const char* name, std::int32_t value);
   void attribute(const std::string& path, const char* name, double value);
+  /// As an array of one.
+  void attribute_array(const std::string& path, const char* name, std::int32_t value);
   /// Of so many bytes besides the zero that ends it, or as long as the text is.
   void attribute(const std::string& path, const char* name, const std::string& text, std::size_t length = 0);
 
-  /// An array of int32_t or double, of one dimension or two; value(i) is its element i, counted as they lie
-  /// in the file, and is asked in parallel. Large arrays are made and written in parts.
+  /// An array of int8_t, int32_t, float or double, of one dimension or two; value(i) is its element i,
+  /// counted as they lie in the file, and is asked in parallel. Large arrays are made and written in parts.
   template <class T, class Value>
   void array(const std::string& path, const std::vector<std::uint64_t>& dims, const Value& value);
   /// Texts of `width` bytes each, as arrays of int8_t, zeros behind.
@@ -50,20 +54,24 @@ class Hdf5File {
   void close();
 
  private:
-  enum class Kind { kInt32, kDouble };
+  enum class Kind { kInt8, kInt32, kFloat, kDouble };
+  static Kind kind_of(std::int8_t) { return Kind::kInt8; }
   static Kind kind_of(std::int32_t) { return Kind::kInt32; }
+  static Kind kind_of(float) { return Kind::kFloat; }
   static Kind kind_of(double) { return Kind::kDouble; }
 
   void begin_array(const std::string& path, Kind kind, const std::vector<std::uint64_t>& dims);
   /// Elements [first, first + count) of an array of one dimension, rows of one of two.
   void put(std::uint64_t first, std::uint64_t count, const void* values);
   void end_array();
-  void put_attribute(const std::string& path, const char* name, std::int64_t type, const void* value);
+  void put_attribute(const std::string& path, const char* name, std::int64_t type, const void* value,
+                     bool as_array = false);
 
   [[noreturn]] void fail(const char* function, int error) const;
 
   std::unique_lock<std::mutex> alone_;
   std::string named_;
+  Order order_;
   std::int64_t file_ = -1;  ///< HDF5's numbers of what is open, or -1
   std::int64_t array_ = -1;
   Kind kind_ = Kind::kInt32;

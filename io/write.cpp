@@ -12,6 +12,7 @@
 
 #include "base/error.h"
 #include "io/bdf_write.h"
+#include "io/cgns_write.h"
 #include "io/exodus_write.h"
 #include "io/hdf5_file.h"
 #include "io/inp_write.h"
@@ -48,14 +49,15 @@ constexpr Named kNames[] = {{"msh", MeshFormat::kMsh41Binary},
                             {"su2", MeshFormat::kSu2},
                             {"med", MeshFormat::kMed},
                             {"xdmf", MeshFormat::kXdmf},
+                            {"cgns", MeshFormat::kCgns},
                             {"stl", MeshFormat::kStl},
                             {"stl-ascii", MeshFormat::kStlAscii}};
 constexpr Named kSuffixes[] = {
-    {".msh", MeshFormat::kMsh41Binary},   {".vtu", MeshFormat::kVtu},  {".inp", MeshFormat::kInp},
-    {".unv", MeshFormat::kUnv},           {".bdf", MeshFormat::kBdf},  {".nas", MeshFormat::kBdf},
-    {".exo", MeshFormat::kExodus},        {".e", MeshFormat::kExodus}, {".mesh", MeshFormat::kMedit},
-    {".meshb", MeshFormat::kMeditBinary}, {".su2", MeshFormat::kSu2},  {".med", MeshFormat::kMed},
-    {".xdmf", MeshFormat::kXdmf},         {".stl", MeshFormat::kStl}};
+    {".msh", MeshFormat::kMsh41Binary},   {".vtu", MeshFormat::kVtu},   {".inp", MeshFormat::kInp},
+    {".unv", MeshFormat::kUnv},           {".bdf", MeshFormat::kBdf},   {".nas", MeshFormat::kBdf},
+    {".exo", MeshFormat::kExodus},        {".e", MeshFormat::kExodus},  {".mesh", MeshFormat::kMedit},
+    {".meshb", MeshFormat::kMeditBinary}, {".su2", MeshFormat::kSu2},   {".med", MeshFormat::kMed},
+    {".xdmf", MeshFormat::kXdmf},         {".cgns", MeshFormat::kCgns}, {".stl", MeshFormat::kStl}};
 
 std::string listed(std::span<const Named> known) {
   std::string words;
@@ -94,7 +96,7 @@ void check_format(MeshFormat format, int order) {
     throw InputError("a .su2 file has no elements of second order: use --order 1");
   if (order > 1 && (format == MeshFormat::kStl || format == MeshFormat::kStlAscii))
     throw InputError("a .stl file has flat triangles alone: use --order 1");
-  if (format == MeshFormat::kMed || format == MeshFormat::kXdmf) check_hdf5();
+  if (format == MeshFormat::kMed || format == MeshFormat::kXdmf || format == MeshFormat::kCgns) check_hdf5();
 }
 
 std::vector<std::filesystem::path> written_files(const std::filesystem::path& path, MeshFormat format) {
@@ -154,6 +156,9 @@ void write_mesh(const std::filesystem::path& path, const Mesh& mesh, const Model
       break;
     case MeshFormat::kMed:
       write_med(file, mesh, outline, options.scale);
+      break;
+    case MeshFormat::kCgns:
+      write_cgns(file, mesh, outline, options.scale);
       break;
     case MeshFormat::kXdmf: {
       const std::filesystem::path beside = written_files(path, format).back();

@@ -26,6 +26,7 @@ enum class MeshFormat {
   kSu2,
   kMed,
   kXdmf,
+  kCgns,
   kStl,
   kStlAscii
 };

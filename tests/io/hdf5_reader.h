@@ -70,12 +70,12 @@ class Hdf5Reader {
     H5Dclose(array);
     return text;
   }
-  std::vector<std::string> members(const std::string& path) const {
+  std::vector<std::string> members(const std::string& path, H5_index_t order = H5_INDEX_NAME) const {
     std::vector<std::string> names;
     const hid_t group = H5Gopen2(file_, path.c_str(), H5P_DEFAULT);
     EXPECT_GE(group, 0) << path;
     H5Literate(
-        group, H5_INDEX_NAME, H5_ITER_INC, nullptr,
+        group, order, H5_ITER_INC, nullptr,
         [](hid_t, const char* name, const H5L_info_t*, void* out) -> herr_t {
           static_cast<std::vector<std::string>*>(out)->emplace_back(name);
           return 0;

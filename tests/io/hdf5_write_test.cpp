@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What readers of MED and XDMF find in the files, read by HDF5's library.
+// What readers of MED, XDMF and CGNS find in the files, read by HDF5's library.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -50,6 +50,12 @@ class Hdf5Write : public ::testing::Test {
 std::string bytes_of(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// A text as it lies in an attribute of so many bytes.
+std::string padded(std::string text, std::size_t bytes) {
+  text.resize(bytes);
+  return text;
 }
 
 /// Elements of a kind, each with its nodes from 1: the array has all first nodes, then all second ones, ...
@@ -289,9 +295,142 @@ TEST_F(Hdf5Write, LargeArraysAreWhole) {
   }
 }
 
+/// A node of CGNS, whose attributes say what it is; its data are within.
+std::string cgns_node(const Hdf5Reader& file, const std::string& path, const std::string& label,
+                      const std::string& type) {
+  EXPECT_EQ(file.text_attribute(path, "name"), padded(path.substr(path.rfind('/') + 1), 33)) << path;
+  EXPECT_EQ(file.text_attribute(path, "label"), padded(label, 33)) << path;
+  EXPECT_EQ(file.text_attribute(path, "type"), padded(type, 3)) << path;
+  EXPECT_EQ(file.int_attribute(path, "flags"), 1) << path;
+  EXPECT_EQ(file.has(path + "/ data"), type != "MT") << path;
+  return path + "/ data";
+}
+
+constexpr const char* kZone = "/mesh/zone";
+
+/// The nodes, from 1, of each element of a section, whose numbers go on from `first`.
+std::vector<std::vector<int>> cgns_elements(const Hdf5Reader& file, const std::string& name, int type,
+                                            std::size_t nodes, int first) {
+  const std::string path = std::string(kZone) + "/" + name;
+  EXPECT_EQ(file.ints(cgns_node(file, path, "Elements_t", "I4")), (std::vector{type, 0}));
+  const std::vector<int> flat =
+      file.ints(cgns_node(file, path + "/ElementConnectivity", "DataArray_t", "I4"));
+  EXPECT_EQ(flat.size() % nodes, 0u);
+  const auto n = static_cast<int>(flat.size() / nodes);
+  EXPECT_EQ(file.ints(cgns_node(file, path + "/ElementRange", "IndexRange_t", "I4")),
+            (std::vector{first, first + n - 1}));
+  std::vector<std::vector<int>> elements;
+  for (std::size_t i = 0; i < flat.size(); i += nodes)
+    elements.emplace_back(flat.begin() + static_cast<std::ptrdiff_t>(i),
+                          flat.begin() + static_cast<std::ptrdiff_t>(i + nodes));
+  return elements;
+}
+
+std::vector<Vec3> cgns_points(const Hdf5Reader& file) {
+  std::vector<Vec3> points;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::string path = std::string(kZone) + "/GridCoordinates/Coordinate" + "XYZ"[axis];
+    const std::vector<double> values = file.doubles(cgns_node(file, path, "DataArray_t", "R8"));
+    points.resize(values.size());
+    for (std::size_t v = 0; v < values.size(); ++v) points[v][axis] = values[v];
+  }
+  return points;
+}
+
+TEST_F(Hdf5Write, CgnsHasASectionForEachRegionAndFace) {
+  const Mesh mesh = test::halved_box_mesh(1, {4, 2, 2});
+  const Hdf5Reader file(write("halves.cgns", mesh, {}, 0.1));
+  EXPECT_EQ(file.text_attribute("/", "label"), padded("Root Node of HDF5 File", 33));
+  EXPECT_EQ(file.bytes("/ format").substr(0, 14), "IEEE_LITTLE_32");
+  EXPECT_NEAR(file.doubles(cgns_node(file, "/CGNSLibraryVersion", "CGNSLibraryVersion_t", "R4"))[0], 3.1,
+              1e-6);
+  EXPECT_EQ(file.ints(cgns_node(file, "/mesh", "CGNSBase_t", "I4")), (std::vector{3, 3}));
+  EXPECT_EQ(file.dims("/mesh/zone/ data"), (std::vector<std::uint64_t>{3, 1}));
+  EXPECT_EQ(file.ints(cgns_node(file, kZone, "Zone_t", "I4")),
+            (std::vector{static_cast<int>(mesh.points.size()), static_cast<int>(mesh.tets.size()), 0}));
+  EXPECT_EQ(file.bytes(cgns_node(file, "/mesh/zone/ZoneType", "ZoneType_t", "C1")), "Unstructured");
+  // The library goes through nodes as they were made.
+  EXPECT_EQ(file.members("/", H5_INDEX_CRT_ORDER),
+            (std::vector<std::string>{" format", " hdf5version", "CGNSLibraryVersion", "mesh"}));
+  EXPECT_EQ(file.members(kZone, H5_INDEX_CRT_ORDER)[1], "ZoneType");
+
+  const std::vector<Vec3> points = cgns_points(file);
+  ASSERT_EQ(points.size(), mesh.points.size());
+  for (std::size_t v = 0; v < points.size(); ++v) EXPECT_EQ(points[v], Vec3(mesh.points[v] * 0.1));
+  int next = 1;
+  for (const int region : {1, 2}) {
+    const auto tets = cgns_elements(file, "Solid" + std::to_string(region), 10, 4, next);
+    EXPECT_EQ(static_cast<long>(tets.size()), std::count(mesh.tet_in.begin(), mesh.tet_in.end(), region));
+    const auto at = [&](const std::vector<int>& tet, std::size_t i) {
+      return points[static_cast<std::size_t>(tet[i] - 1)];
+    };
+    for (const auto& tet : tets) EXPECT_GT(volume(at(tet, 0), at(tet, 1), at(tet, 2), at(tet, 3)), 0.0);
+    next += static_cast<int>(tets.size());
+  }
+  const int faces = *std::max_element(mesh.triangle_on.begin(), mesh.triangle_on.end());
+  for (int face = 1; face <= faces; ++face) {
+    const std::string name = "Face" + std::to_string(face);
+    const auto triangles = cgns_elements(file, name, 5, 3, next);
+    std::vector<std::vector<int>> own;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+      if (mesh.triangle_on[t] == face) {
+        own.emplace_back();
+        for (const Mesh::Index v : mesh.triangles[t]) own.back().push_back(static_cast<int>(v) + 1);
+      }
+    EXPECT_EQ(triangles, own) << name;
+    const std::string condition = "/mesh/zone/ZoneBC/" + name;
+    EXPECT_EQ(file.bytes(cgns_node(file, condition, "BC_t", "C1")), "FamilySpecified");
+    EXPECT_EQ(file.ints(cgns_node(file, condition + "/PointRange", "IndexRange_t", "I4")),
+              (std::vector{next, next + static_cast<int>(own.size()) - 1}));
+    EXPECT_EQ(file.dims(condition + "/PointRange/ data"), (std::vector<std::uint64_t>{2, 1}));
+    EXPECT_EQ(file.bytes(cgns_node(file, condition + "/GridLocation", "GridLocation_t", "C1")), "FaceCenter");
+    EXPECT_EQ(file.bytes(cgns_node(file, condition + "/FamilyName", "FamilyName_t", "C1")), name);
+    cgns_node(file, "/mesh/" + name, "Family_t", "MT");
+    next += static_cast<int>(own.size());
+  }
+}
+
+TEST_F(Hdf5Write, CgnsHasFamiliesForGroupsOfFaces) {
+  ModelOutline outline = test::plain_box_outline(Vec3(3.0, 2.0, 1.0), false);
+  outline.groups = {{"wet", 2, {1, 3}}, {"fixed", 2, {3}}};
+  const Hdf5Reader file(write("box.cgns", test::plain_box_mesh(1), outline, 1.0));
+  const auto further = [&](const std::string& face, int number) {
+    const std::string path = "/mesh/zone/ZoneBC/" + face + "/AdditionalFamilyName" + std::to_string(number);
+    return file.has(path) ? file.bytes(cgns_node(file, path, "AdditionalFamilyName_t", "C1")) : "";
+  };
+  for (const char* family : {"wet", "fixed"})
+    cgns_node(file, std::string("/mesh/") + family, "Family_t", "MT");
+  EXPECT_EQ(further("Face1", 1), "wet");
+  EXPECT_EQ(further("Face1", 2), "");
+  EXPECT_EQ(further("Face3", 1), "wet");
+  EXPECT_EQ(further("Face3", 2), "fixed");
+  EXPECT_EQ(further("Face4", 1), "");
+}
+
+TEST_F(Hdf5Write, CgnsHasMiddlesWhereItsOrderHasThem) {
+  Mesh mesh = test::plain_box_mesh(1);
+  mesh.mid = straight_mid_nodes(mesh);
+  const Hdf5Reader file(write("box.cgns", mesh));
+  const std::vector<Vec3> points = cgns_points(file);
+  const auto is_half_way = [&](const std::vector<int>& nodes, std::size_t mid, std::size_t a, std::size_t b) {
+    const auto at = [&](std::size_t i) { return points[static_cast<std::size_t>(nodes[i] - 1)]; };
+    return (at(mid) - 0.5 * (at(a) + at(b))).norm() < 1e-12;
+  };
+  const auto tets = cgns_elements(file, "Solid1", 11, 10, 1);
+  ASSERT_EQ(tets.size(), mesh.tets.size());
+  for (const auto& tet : tets) {
+    EXPECT_TRUE(is_half_way(tet, 4, 0, 1) && is_half_way(tet, 5, 1, 2) && is_half_way(tet, 6, 2, 0));
+    EXPECT_TRUE(is_half_way(tet, 7, 0, 3) && is_half_way(tet, 8, 1, 3) && is_half_way(tet, 9, 2, 3));
+  }
+  const auto triangles = cgns_elements(file, "Face1", 6, 6, static_cast<int>(tets.size()) + 1);
+  for (const auto& triangle : triangles)
+    EXPECT_TRUE(is_half_way(triangle, 3, 0, 1) && is_half_way(triangle, 4, 1, 2) &&
+                is_half_way(triangle, 5, 2, 0));
+}
+
 TEST_F(Hdf5Write, TheSameMeshGivesTheSameBytes) {
   const Mesh mesh = test::halved_box_mesh(1, {4, 2, 2});
-  for (const char* name : {"a.med", "a.xdmf"}) {
+  for (const char* name : {"a.med", "a.xdmf", "a.cgns"}) {
     const std::string first = bytes_of(write(name, mesh)), arrays = bytes_of(folder_ / "a.h5");
     EXPECT_FALSE(first.empty());
     EXPECT_EQ(first, bytes_of(write(name, mesh)));

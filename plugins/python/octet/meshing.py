@@ -125,7 +125,7 @@ def mesh(
     field       sizes over space: (points, sizes), arrays of shape (n, 3) and (n,), or a path (CSV, MSH, VTU)
     order       of the elements: 1 (what None means, unless a file of options says otherwise) or 2
     output      files to keep, too: .msh, .vtu, .inp, .unv, .bdf, .exo, .mesh, .meshb, .su2, .med, .xdmf,
-                .stl; a path or a list
+                .cgns, .stl; a path or a list
     incomplete  "raise": a mesh that is not right everywhere raises IncompleteError, which has it;
                 "accept": it is returned, and its report tells
     progress    called with (stage, fraction) as stages begin; what it raises ends the run
