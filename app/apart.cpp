@@ -6,7 +6,9 @@
 #include <array>
 #include <functional>
 #include <limits>
+#include <utility>
 
+#include "app/edge_divisions.h"
 #include "app/scaled_sizes.h"
 #include "app/watched_observer.h"
 #include "geom/bodies.h"
@@ -273,6 +275,9 @@ MeshResult mesh_apart(const Model& model, const MeshOptions& options, Observer& 
     append_mesh(body, part.mesh, whole.mesh);
     append_report(body, part.report, whole.report);
   }
+  // Of bodies' own notes the numbers are theirs.
+  if (auto note = note_of_divisions(whole.mesh, edge_divisions(model, options.attributes)))
+    whole.report.notes.push_back(*std::move(note));
   whole.report.quality = quality_summary(whole.mesh);
   if (!whole.report.faults.empty()) whole.report.status = MeshStatus::kIncomplete;
   return whole;

@@ -13,6 +13,7 @@
 #include "geom/bodies.h"
 #include "geom/model_check.h"
 #include "geom/occt/from_shape.h"
+#include "geom/size_attributes.h"
 
 namespace octet {
 namespace {
@@ -64,6 +65,16 @@ TEST(Apart, EveryBodyIsMeshedAndJudgedByItself) {
   result.mesh.tets.pop_back();
   result.mesh.tet_in.pop_back();
   EXPECT_FALSE(accept_apart(result.mesh, model).holds());
+}
+
+TEST(Apart, EdgesThatHaveAnotherNumberOfElementsAreToldByTheWholesNumbers) {
+  MeshOptions options;
+  options.size = 0.25;
+  options.attributes = {parse_size_attribute("Edge14=/2")};
+  const MeshResult result = mesh_part(touching_boxes(false), options);
+  ASSERT_EQ(result.report.notes.size(), 1u);
+  EXPECT_NE(result.report.notes.front().find("Edge14 has "), std::string::npos)
+      << result.report.notes.front();
 }
 
 /// The shares of a run as it tells them.
