@@ -8,7 +8,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 #include "app/element_estimate.h"
@@ -114,17 +113,8 @@ Shares shares_of(const Model& model, const SizePlan& plan) {
   return {tree, octant_types(model, tree).type, samples, request.size};
 }
 
-}  // namespace
-
-std::string suit_octants(const Model& model, const SizeControl& control, SizePlan& plan) {
-  if (!control.suit_own_sizes || !plan.wanted.empty() || plan.field || !may_decide(model, plan)) return {};
-  std::optional<Shares> counted;
-  try {
-    counted = shares_of(model, plan);
-  } catch (const LimitError&) {
-    return {};  // who makes the plan's octree tells it in the user's words
-  }
-  const Shares& shares = *counted;
+std::string suited(const Model& model, SizePlan& plan) {
+  const Shares shares = shares_of(model, plan);
   int best = 0;
   for (int steps = 1; steps <= kMostSteps; ++steps)
     if (shares.weight(steps) < shares.weight(best)) best = steps;
@@ -138,6 +128,17 @@ std::string suit_octants(const Model& model, const SizeControl& control, SizePla
       "edges of {:.4g} mm in place of {:.4g} mm, whose halves suit the sizes that the part asks for itself: "
       "about {} elements in place of {}",
       plan.asked * std::exp2(plan.octaves), plan.asked, about_text(elements), about_text(shares.elements()));
+}
+
+}  // namespace
+
+std::string suit_octants(const Model& model, const SizeControl& control, SizePlan& plan) {
+  if (!control.suit_own_sizes || !plan.wanted.empty() || plan.field || !may_decide(model, plan)) return {};
+  try {
+    return suited(model, plan);
+  } catch (const LimitError&) {
+    return {};  // who makes the plan's octree tells it in the user's words
+  }
 }
 
 }  // namespace octet

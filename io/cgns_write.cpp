@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,6 +23,8 @@ namespace {
 
 constexpr std::size_t kLongestName = 32, kTypeName = 2, kVersionText = 32;
 constexpr float kVersion = 3.1f;
+/// Beside families, no name of which has a space.
+constexpr const char* kZoneName = "Zone 1";
 
 /// An element's number, its nodes, and the place in CGNS' order of each in MSH's.
 struct Element {
@@ -126,6 +129,17 @@ class Sections {
   std::int32_t next_ = 1;
 };
 
+/// Names of sections and conditions, which have places of their own beside the zone's other nodes.
+std::map<ModelRef, std::string> section_names(const SetNames& names) {
+  std::set<std::string> taken{"GridCoordinates", "ZoneBC", "ZoneType"};
+  for (const auto& own : names.of) taken.insert(own.second);
+  std::map<ModelRef, std::string> sections = names.of;
+  for (auto& [entity, name] : sections)
+    if (name == "GridCoordinates" || name == "ZoneBC" || name == "ZoneType")
+      while (!taken.insert(name).second) name += '_';
+  return sections;
+}
+
 /// Names of the groups of faces that each face is in.
 std::map<int, std::vector<std::string>> face_groups(const SetNames& names) {
   std::map<int, std::vector<std::string>> groups;
@@ -148,7 +162,7 @@ void write_cgns(OutputFile& output, const Mesh& mesh, const ModelOutline& outlin
                     [](std::uint64_t) { return kVersion; });
   const std::string base = file.numbers("", "mesh", "CGNSBase_t", {2}, {3, 3});
   const std::string zone =
-      file.numbers(base, "zone", "Zone_t", {3, 1},
+      file.numbers(base, kZoneName, "Zone_t", {3, 1},
                    {static_cast<std::int32_t>(nodes), static_cast<std::int32_t>(mesh.tets.size()), 0});
   file.text(zone, "ZoneType", "ZoneType_t", "Unstructured");
   const std::string grid = file.node(zone, "GridCoordinates", "GridCoordinates_t");
@@ -157,18 +171,19 @@ void write_cgns(OutputFile& output, const Mesh& mesh, const ModelOutline& outlin
         grid, std::string("Coordinate") + "XYZ"[axis], "DataArray_t", "R8", {nodes},
         [&](std::uint64_t i) { return node_point(mesh, static_cast<std::uint32_t>(i))[axis] * scale; });
   Sections sections(file, zone, mesh, groups);
+  const std::map<ModelRef, std::string> name_of = section_names(names);
   std::vector<std::pair<int, std::vector<std::int32_t>>> faces;
   for (const int dim : {3, 2})
     for (const auto& [entity, items] : groups.items)
       if (entity.dim == dim) {
-        std::vector<std::int32_t> range = sections.add(names.of.at(entity), dim, items);
+        std::vector<std::int32_t> range = sections.add(name_of.at(entity), dim, items);
         if (dim == 2) faces.emplace_back(entity.tag, std::move(range));
       }
   const auto further = face_groups(names);
   if (!faces.empty()) {
     const std::string conditions = file.node(zone, "ZoneBC", "ZoneBC_t");
     for (const auto& [tag, range] : faces) {
-      const std::string& name = names.of.at(model_face(tag));
+      const std::string& name = name_of.at(model_face(tag));
       const std::string condition = file.text(conditions, name, "BC_t", "FamilySpecified");
       file.numbers(condition, "PointRange", "IndexRange_t", {2, 1}, range);
       file.text(condition, "GridLocation", "GridLocation_t", "FaceCenter");
@@ -179,7 +194,7 @@ void write_cgns(OutputFile& output, const Mesh& mesh, const ModelOutline& outlin
                     in->second[i]);
     }
   }
-  for (const auto& [tag, range] : faces) file.node(base, names.of.at(model_face(tag)), "Family_t");
+  for (const auto& [tag, range] : faces) file.node(base, name_of.at(model_face(tag)), "Family_t");
   for (const OutlineGroup& group : names.shared)
     if (group.dim == 2) file.node(base, group.name, "Family_t");
   file.end();

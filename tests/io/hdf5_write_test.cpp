@@ -306,7 +306,7 @@ std::string cgns_node(const Hdf5Reader& file, const std::string& path, const std
   return path + "/ data";
 }
 
-constexpr const char* kZone = "/mesh/zone";
+constexpr const char* kZone = "/mesh/Zone 1";
 
 /// The nodes, from 1, of each element of a section, whose numbers go on from `first`.
 std::vector<std::vector<int>> cgns_elements(const Hdf5Reader& file, const std::string& name, int type,
@@ -345,10 +345,10 @@ TEST_F(Hdf5Write, CgnsHasASectionForEachRegionAndFace) {
   EXPECT_NEAR(file.doubles(cgns_node(file, "/CGNSLibraryVersion", "CGNSLibraryVersion_t", "R4"))[0], 3.1,
               1e-6);
   EXPECT_EQ(file.ints(cgns_node(file, "/mesh", "CGNSBase_t", "I4")), (std::vector{3, 3}));
-  EXPECT_EQ(file.dims("/mesh/zone/ data"), (std::vector<std::uint64_t>{3, 1}));
+  EXPECT_EQ(file.dims("/mesh/Zone 1/ data"), (std::vector<std::uint64_t>{3, 1}));
   EXPECT_EQ(file.ints(cgns_node(file, kZone, "Zone_t", "I4")),
             (std::vector{static_cast<int>(mesh.points.size()), static_cast<int>(mesh.tets.size()), 0}));
-  EXPECT_EQ(file.bytes(cgns_node(file, "/mesh/zone/ZoneType", "ZoneType_t", "C1")), "Unstructured");
+  EXPECT_EQ(file.bytes(cgns_node(file, "/mesh/Zone 1/ZoneType", "ZoneType_t", "C1")), "Unstructured");
   // The library goes through nodes as they were made.
   EXPECT_EQ(file.members("/", H5_INDEX_CRT_ORDER),
             (std::vector<std::string>{" format", " hdf5version", "CGNSLibraryVersion", "mesh"}));
@@ -378,7 +378,7 @@ TEST_F(Hdf5Write, CgnsHasASectionForEachRegionAndFace) {
         for (const Mesh::Index v : mesh.triangles[t]) own.back().push_back(static_cast<int>(v) + 1);
       }
     EXPECT_EQ(triangles, own) << name;
-    const std::string condition = "/mesh/zone/ZoneBC/" + name;
+    const std::string condition = "/mesh/Zone 1/ZoneBC/" + name;
     EXPECT_EQ(file.bytes(cgns_node(file, condition, "BC_t", "C1")), "FamilySpecified");
     EXPECT_EQ(file.ints(cgns_node(file, condition + "/PointRange", "IndexRange_t", "I4")),
               (std::vector{next, next + static_cast<int>(own.size()) - 1}));
@@ -395,7 +395,7 @@ TEST_F(Hdf5Write, CgnsHasFamiliesForGroupsOfFaces) {
   outline.groups = {{"wet", 2, {1, 3}}, {"fixed", 2, {3}}};
   const Hdf5Reader file(write("box.cgns", test::plain_box_mesh(1), outline, 1.0));
   const auto further = [&](const std::string& face, int number) {
-    const std::string path = "/mesh/zone/ZoneBC/" + face + "/AdditionalFamilyName" + std::to_string(number);
+    const std::string path = "/mesh/Zone 1/ZoneBC/" + face + "/AdditionalFamilyName" + std::to_string(number);
     return file.has(path) ? file.bytes(cgns_node(file, path, "AdditionalFamilyName_t", "C1")) : "";
   };
   for (const char* family : {"wet", "fixed"})
@@ -405,6 +405,22 @@ TEST_F(Hdf5Write, CgnsHasFamiliesForGroupsOfFaces) {
   EXPECT_EQ(further("Face3", 1), "wet");
   EXPECT_EQ(further("Face3", 2), "fixed");
   EXPECT_EQ(further("Face4", 1), "");
+}
+
+TEST_F(Hdf5Write, CgnsTakesNamesThatItsOwnNodesHave) {
+  ModelOutline outline = test::plain_box_outline(Vec3(3.0, 2.0, 1.0), false);
+  outline.groups = {{"zone", 2, {1, 3}}, {"mesh", 2, {3}}, {"ZoneBC", 2, {2}}};
+  outline.entities[2][4].name = "ZoneBC";
+  outline.entities[2][5].name = "GridCoordinates";
+  const Hdf5Reader file(write("box.cgns", test::plain_box_mesh(1), outline, 1.0));
+  for (const char* name : {"GridCoordinates", "ZoneBC", "ZoneType"})
+    EXPECT_NE(file.text_attribute(std::string(kZone) + "/" + name, "label"), padded("Elements_t", 33));
+  std::size_t sections = 0;
+  for (const std::string& name : file.members(kZone))
+    if (name.front() != ' ' &&
+        file.text_attribute(std::string(kZone) + "/" + name, "label") == padded("Elements_t", 33))
+      ++sections;
+  EXPECT_EQ(sections, 7u) << "a region and six faces";
 }
 
 TEST_F(Hdf5Write, CgnsHasMiddlesWhereItsOrderHasThem) {
