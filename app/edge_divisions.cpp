@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "octree/equal_parts.h"
+
 namespace octet {
 
 std::vector<int> edge_divisions(const Model& model, const std::vector<SizeAttribute>& wishes) {
@@ -33,6 +35,30 @@ std::vector<Mesh::Index> with_divided(std::vector<Mesh::Index> held, const Mesh&
   std::sort(held.begin(), held.end());
   held.erase(std::unique(held.begin(), held.end()), held.end());
   return held;
+}
+
+std::vector<Mesh::Index> surplus_vertices(const Mesh& mesh, const Model& model,
+                                          const std::vector<int>& divisions) {
+  constexpr double kAtPlace = 1e-3;  // of a piece: places are rounded, and no two vertices are as near
+  std::vector<std::vector<Mesh::Index>> on(divisions.size());
+  for (std::size_t v = 0; v < mesh.point_on.size() && !divisions.empty(); ++v)
+    if (const ModelRef ref = mesh.point_on[v]; ref.dim == 1)
+      on[static_cast<std::size_t>(ref.tag)].push_back(static_cast<Mesh::Index>(v));
+  std::vector<Mesh::Index> surplus;
+  for (std::size_t e = 1; e < divisions.size(); ++e) {
+    const int n = divisions[e];
+    if (n == 0 || on[e].size() < static_cast<std::size_t>(n)) continue;
+    const int tag = static_cast<int>(e);
+    std::vector<Mesh::Index> others = on[e];
+    const double near = kAtPlace * model.edge(tag).length / n;
+    for (const double t : equal_parts(model, tag, n)) {
+      const Vec3 place = model.edge_point(tag, t);
+      std::erase_if(others, [&](Mesh::Index v) { return (mesh.points[v] - place).norm() < near; });
+    }
+    if (on[e].size() - others.size() == static_cast<std::size_t>(n) - 1)
+      surplus.insert(surplus.end(), others.begin(), others.end());
+  }
+  return surplus;
 }
 
 std::optional<std::string> note_of_divisions(const Mesh& mesh, const std::vector<int>& divisions) {

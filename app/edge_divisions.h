@@ -19,6 +19,10 @@ namespace octet {
 [[nodiscard]] std::vector<Mesh::Index> with_divided(std::vector<Mesh::Index> held, const Mesh& mesh,
                                                     const std::vector<int>& divisions);
 
+/// Vertices of the mesh on edges that have a vertex where each piece ends, and others besides: of such.
+[[nodiscard]] std::vector<Mesh::Index> surplus_vertices(const Mesh& mesh, const Model& model,
+                                                        const std::vector<int>& divisions);
+
 /// That edges have another number of elements than asked for, and which; none where all have theirs.
 [[nodiscard]] std::optional<std::string> note_of_divisions(const Mesh& mesh,
                                                            const std::vector<int>& divisions);

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -39,6 +40,23 @@ std::optional<Farthest> farthest_from_cad(const MeshReport& report) {
   if (!report.curve) return report.acceptance.farthest();
   const std::optional<OffCad>& off = report.curve->farthest;
   return off ? std::optional(Farthest{off->entity, off->place, off->distance}) : std::nullopt;
+}
+
+std::size_t fault_count(const MeshReport& report) {
+  std::size_t count = report.faults.size();
+  for (const Claim& claim : report.acceptance.claims) count += claim.places.size() - claim.faults.size();
+  return count;
+}
+
+std::vector<Vec3> places_at_fault(const Acceptance& acceptance, const OwnFrame& frame) {
+  std::vector<Vec3> places;
+  for (const Claim& claim : acceptance.claims)
+    for (const Vec3& place : claim.places) places.push_back(frame.to_model(place));
+  std::sort(places.begin(), places.end(), [](const Vec3& a, const Vec3& b) {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+  });
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  return places;
 }
 
 std::string describe(const FinalizeReport& report) {

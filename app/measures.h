@@ -2,11 +2,13 @@
 // What the report tells of a mesh beside its claims.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/mesh_part.h"
+#include "app/own_frame.h"
 #include "finalize/finalize.h"
 
 namespace octet {
@@ -19,6 +21,12 @@ void set_areas(const std::vector<double>& area_on, const Model& model, MeshRepor
 
 /// Where the CAD is farthest from the mesh; of a mesh of second order, where its curved elements are from it.
 [[nodiscard]] std::optional<Farthest> farthest_from_cad(const MeshReport& report);
+
+/// Faults of all kinds, those that are not listed with their claim as well.
+[[nodiscard]] std::size_t fault_count(const MeshReport& report);
+
+/// Where claims fail, in the frame's own axes: each place once, in order.
+[[nodiscard]] std::vector<Vec3> places_at_fault(const Acceptance& acceptance, const OwnFrame& frame);
 
 /// One line.
 [[nodiscard]] std::string describe(const FinalizeReport& report);

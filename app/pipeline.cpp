@@ -34,6 +34,7 @@
 #include "app/watched_observer.h"
 #include "classify/extract.h"
 #include "finalize/finalize.h"
+#include "finalize/surplus.h"
 #include "geom/face_crossings.h"
 #include "geom/face_touches.h"
 #include "geom/size_memo.h"
@@ -72,13 +73,6 @@ constexpr std::array<double, 6> kLastFloorShares{5e-4, 2.5e-4, 1.25e-4, 6e-5, 3e
 /// Attribute points for the gaps of one octant. Where gaps close few octants take more than 23, but four
 /// narrow holes in one take 400; where they do not, octants take thousands.
 constexpr std::size_t kPointsPerOctant = 1000;
-
-/// Faults of all kinds, those that are not listed with their claim as well.
-std::size_t fault_count(const MeshReport& report) {
-  std::size_t count = report.faults.size();
-  for (const Claim& claim : report.acceptance.claims) count += claim.places.size() - claim.faults.size();
-  return count;
-}
 
 /// What finalization begins with.
 struct Begun {
@@ -361,6 +355,9 @@ class Run {
     refuse_too_many();
     band_->forget_band();
     if (!broken_.empty()) leave_out(result_.mesh, model_, broken_);
+    if (!seeds_.divisions.empty() && options_.finalize && !gaps_left_)
+      draw_in(result_.mesh, model_, finalize_options(),
+              surplus_vertices(result_.mesh, model_, seeds_.divisions));
     dump("classified");
   }
 
@@ -391,22 +388,27 @@ class Run {
     observer_.dump(stage, whole);
   }
 
+  [[nodiscard]] FinalizeOptions finalize_options() const {
+    FinalizeOptions given;
+    given.scope = options_.scope;
+    given.fixed_vertices = fixed_vertices_;
+    given.volume_beyond = deep_volumes(band_->tree, band_->labels, band_->split, model_.count(3));
+    given.size_at = [this](const Vec3& p) { return band_->tree.spacing_at(p); };
+    return given;
+  }
+
   /// Deep octants have good shapes already, and are appended only after the others have been worked on.
   void improve() {
     if (!options_.finalize || (!result_.report.faults.empty() && broken_.empty())) return;
     begin("finalization", 0.65);
     if (!gaps_left_ && !begun_ && result_.mesh.tets.size() <= kKeptTets)
       begun_ = Begun{result_.mesh, result_.report.template_tets};
-    FinalizeOptions finalize_options;
-    finalize_options.scope = options_.scope;
-    finalize_options.fixed_vertices = fixed_vertices_;
-    finalize_options.volume_beyond = deep_volumes(band_->tree, band_->labels, band_->split, model_.count(3));
-    finalize_options.size_at = [this](const Vec3& p) { return band_->tree.spacing_at(p); };
-    finalize_options.held = with_divided(held_.vertices(), result_.mesh, seeds_.divisions);
+    FinalizeOptions given = finalize_options();
+    given.held = with_divided(held_.vertices(), result_.mesh, seeds_.divisions);
     if (const GapRooms* rooms = held_.rooms())
-      finalize_options.room_at = [rooms](const Vec3& p) { return rooms->at(p); };
-    if (wish_) finalize_options.coarse_size_at = [this](const Vec3& p) { return wish_->spacing_at(p); };
-    const FinalizeReport report = finalize(result_.mesh, model_, finalize_options, observer_);
+      given.room_at = [rooms](const Vec3& p) { return rooms->at(p); };
+    if (wish_) given.coarse_size_at = [this](const Vec3& p) { return wish_->spacing_at(p); };
+    const FinalizeReport report = finalize(result_.mesh, model_, given, observer_);
     observer_.note(describe(report));
     dump("finalized");
   }
@@ -461,16 +463,8 @@ class Run {
         fmt::format("faults at {} places ({}): {}", faults, fmt::join(failed, ", "), held_.words()));
   }
 
-  /// Where claims fail, in the model's own frame.
   [[nodiscard]] std::vector<Vec3> places_at_fault() const {
-    std::vector<Vec3> places;
-    for (const Claim& claim : result_.report.acceptance.claims)
-      for (const Vec3& place : claim.places) places.push_back(frame_.to_model(place));
-    std::sort(places.begin(), places.end(), [](const Vec3& a, const Vec3& b) {
-      return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
-    });
-    places.erase(std::unique(places.begin(), places.end()), places.end());
-    return places;
+    return octet::places_at_fault(result_.report.acceptance, frame_);
   }
 
   /// What a user would do who is told to ask for a smaller size at a fault: the tree with octants subdivided

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geom/edge_turn.h"
+#include "octree/equal_parts.h"
 #include "octree/seed_state.h"
 
 namespace octet {
@@ -50,31 +51,6 @@ class SizedLength {
   }
   std::vector<double> t_, s_;
 };
-
-/// The parameters that part an edge into n pieces as long as each other.
-std::vector<double> equal_parts(const Model& model, int tag, int n) {
-  constexpr int kSamplesAPiece = 64;
-  const ModelEdge& edge = model.edge(tag);
-  const int samples = kSamplesAPiece * n;
-  const auto parameter = [&](int i) { return edge.t0 + (edge.t1 - edge.t0) * i / samples; };
-  std::vector<double> length{0.0};
-  Vec3 last = model.edge_point(tag, edge.t0);
-  for (int i = 1; i <= samples; ++i) {
-    const Vec3 p = model.edge_point(tag, parameter(i));
-    length.push_back(length.back() + (p - last).norm());
-    last = p;
-  }
-  std::vector<double> parts;
-  int i = 1;
-  for (int k = 1; k < n; ++k) {
-    const double wanted = length.back() * k / n;
-    while (i < samples && length[i] < wanted) ++i;
-    const double step = length[i] - length[i - 1];
-    const double share = step > 0.0 ? (wanted - length[i - 1]) / step : 0.0;
-    parts.push_back(parameter(i - 1) + share * (parameter(i) - parameter(i - 1)));
-  }
-  return parts;
-}
 
 class EdgeSeeder {
  public:

@@ -69,7 +69,7 @@ TEST(Apart, EveryBodyIsMeshedAndJudgedByItself) {
 
 TEST(Apart, EdgesThatHaveAnotherNumberOfElementsAreToldByTheWholesNumbers) {
   MeshOptions options;
-  options.size = 0.25;
+  options.size = 0.1;
   options.attributes = {parse_size_attribute("Edge14=/2")};
   const MeshResult result = mesh_part(touching_boxes(false), options);
   ASSERT_EQ(result.report.notes.size(), 1u);

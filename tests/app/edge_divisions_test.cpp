@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "app/mesh_part.h"
+#include "classify/acceptance.h"
+#include "finalize/surplus.h"
 #include "geom/analytic.h"
 
 namespace octet {
@@ -72,6 +74,32 @@ TEST(EdgeDivisions, SmallerSizesAboutAnEdgePrevailAndAreTold) {
   ASSERT_EQ(result.report.notes.size(), 1u);
   EXPECT_NE(result.report.notes.front().find("Edge1 has "), std::string::npos) << result.report.notes.front();
   EXPECT_NE(result.report.notes.front().find("(3)"), std::string::npos) << result.report.notes.front();
+}
+
+/// Every second of twenty pieces' ends is one of ten's, and the others are too many.
+TEST(EdgeDivisions, PointsBesidesAreDrawnOntoTheirNeighbours) {
+  const Model box = analytic_box(Vec3(10.0, 20.0, 30.0));
+  MeshOptions options;
+  options.size = 3.0;
+  options.finalize = false;
+  options.attributes = {parse_size_attribute("Edge1=/20")};
+  Mesh mesh = mesh_part(box, options).mesh;
+  ASSERT_EQ(pieces(mesh, 1).size(), 20u);
+  options.attributes = {parse_size_attribute("Edge1=/20"), parse_size_attribute("Edge2=/7")};
+  EXPECT_TRUE(surplus_vertices(mesh, box, edge_divisions(box, options.attributes)).empty());
+  options.attributes = {parse_size_attribute("Edge1=/10")};
+  const std::vector<int> ten = edge_divisions(box, options.attributes);
+  const std::vector<Mesh::Index> surplus = surplus_vertices(mesh, box, ten);
+  ASSERT_EQ(surplus.size(), 10u);
+  for (const Mesh::Index v : surplus) EXPECT_EQ(mesh.point_on[v], model_edge(1));
+  FinalizeOptions finalization;
+  finalization.size_at = [](const Vec3&) { return 3.0; };
+  draw_in(mesh, box, finalization, surplus);
+  const std::vector<double> lengths = pieces(mesh, 1);
+  ASSERT_EQ(lengths.size(), 10u);
+  EXPECT_LT(lengths.back(), 1.001 * lengths.front());
+  EXPECT_TRUE(accept_mesh(mesh, box).holds());
+  EXPECT_TRUE(surplus_vertices(mesh, box, ten).empty());
 }
 
 }  // namespace
