@@ -10,6 +10,17 @@
 #include "octree/equal_parts.h"
 
 namespace octet {
+namespace {
+
+/// Per edge tag below `size`: how many mesh edges it has.
+std::vector<int> pieces_on(const Mesh& mesh, std::size_t size) {
+  std::vector<int> pieces(size, 0);
+  for (const std::int32_t edge : mesh.edge_on)
+    if (static_cast<std::size_t>(edge) < size) ++pieces[static_cast<std::size_t>(edge)];
+  return pieces;
+}
+
+}  // namespace
 
 std::vector<int> edge_divisions(const Model& model, const std::vector<SizeAttribute>& wishes) {
   std::vector<int> divisions;
@@ -27,9 +38,11 @@ std::vector<int> edge_divisions(const Model& model, const std::vector<SizeAttrib
 std::vector<Mesh::Index> with_divided(std::vector<Mesh::Index> held, const Mesh& mesh,
                                       const std::vector<int>& divisions) {
   if (divisions.empty()) return held;
+  const std::vector<int> pieces = pieces_on(mesh, divisions.size());
   for (std::size_t v = 0; v < mesh.point_on.size(); ++v) {
     const ModelRef on = mesh.point_on[v];
-    if (on.dim == 1 && divisions[static_cast<std::size_t>(on.tag)] > 0)
+    const auto edge = static_cast<std::size_t>(on.tag);
+    if (on.dim == 1 && divisions[edge] > 0 && divisions[edge] == pieces[edge])
       held.push_back(static_cast<Mesh::Index>(v));
   }
   std::sort(held.begin(), held.end());
@@ -63,9 +76,7 @@ std::vector<Mesh::Index> surplus_vertices(const Mesh& mesh, const Model& model,
 
 std::optional<std::string> note_of_divisions(const Mesh& mesh, const std::vector<int>& divisions) {
   constexpr int kTold = 5;
-  std::vector<int> pieces(divisions.size(), 0);
-  for (const std::int32_t edge : mesh.edge_on)
-    if (static_cast<std::size_t>(edge) < pieces.size()) ++pieces[static_cast<std::size_t>(edge)];
+  const std::vector<int> pieces = pieces_on(mesh, divisions.size());
   std::string others;
   int count = 0;
   for (std::size_t e = 1; e < divisions.size(); ++e) {
@@ -76,8 +87,7 @@ std::optional<std::string> note_of_divisions(const Mesh& mesh, const std::vector
   if (count == 0) return std::nullopt;
   if (count > kTold) others += fmt::format(" and {} more", count - kTold);
   return "edges with another number of elements than asked for (in brackets), for smaller sizes about them, "
-         "the "
-         "user's or the part's own, or for holes that points on them close: " +
+         "the user's or the part's own, or for holes that points on them close: " +
          others;
 }
 

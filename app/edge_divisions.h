@@ -15,7 +15,8 @@ namespace octet {
 /// Empty where none is.
 [[nodiscard]] std::vector<int> edge_divisions(const Model& model, const std::vector<SizeAttribute>& wishes);
 
-/// The vertices of the mesh on such edges, with those of `held`; ascending. `held` where there are no such.
+/// The vertices of the mesh on edges that have the number asked for, with those of `held`; ascending. `held`
+/// where there are no such.
 [[nodiscard]] std::vector<Mesh::Index> with_divided(std::vector<Mesh::Index> held, const Mesh& mesh,
                                                     const std::vector<int>& divisions);
 

@@ -62,7 +62,7 @@ struct SizePlan {
   double asked = 0.0;  ///< the size asked for or chosen
   double size = 0.0;   ///< that, or the largest size of a region above it: nothing is coarser
   double octaves =
-      0.0;  ///< octants are so much longer (below 0: shorter) than `asked` says, for what the part asks for
+      0.0;  ///< not above 0: octants are so much shorter than `asked` says, for what the part asks for
   double min_size = 0.0;  ///< no wish is smaller
   std::vector<double>
       wanted;  ///< sizes of attributes, and for the commonest radius: the lattice should suit them

@@ -76,6 +76,17 @@ TEST(EdgeDivisions, SmallerSizesAboutAnEdgePrevailAndAreTold) {
   EXPECT_NE(result.report.notes.front().find("(3)"), std::string::npos) << result.report.notes.front();
 }
 
+TEST(EdgeDivisions, VerticesAreHeldWhereTheNumberIsMetAlone) {
+  const Model box = analytic_box(Vec3(10.0, 20.0, 30.0));
+  const Mesh mesh = mesh_with(box, 3.0, {"Edge1=/20"}).mesh;
+  const auto held = [&](const char* wish) {
+    return with_divided({}, mesh, edge_divisions(box, {parse_size_attribute(wish)}));
+  };
+  EXPECT_EQ(held("Edge1=/20").size(), 19u);
+  EXPECT_TRUE(held("Edge1=/19").empty());
+  EXPECT_EQ(with_divided({0, 1}, mesh, {}), (std::vector<Mesh::Index>{0, 1}));
+}
+
 /// Every second of twenty pieces' ends is one of ten's, and the others are too many.
 TEST(EdgeDivisions, PointsBesidesAreDrawnOntoTheirNeighbours) {
   const Model box = analytic_box(Vec3(10.0, 20.0, 30.0));
