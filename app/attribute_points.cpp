@@ -378,7 +378,23 @@ class AttributeLoop {
     chains_.split(n, *v, t);
     memory_.ask_again(VertexId(piece.a));
     memory_.ask_again(VertexId(piece.b));
+    insert_images(model_edge(piece.edge), point, clearance);
     return true;
+  }
+
+  /// The images of a point that has just gone in.
+  void insert_images(ModelRef on, const Vec3& p, double clearance) {
+    if (!limits_.images || is_image_) return;
+    is_image_ = true;
+    const TetId last = last_;
+    for (const ImagePoint& image : limits_.images(on, p)) {
+      if (image.on.dim == 1)
+        split_piece(chains_.piece_at(image.on.tag, image.t), image.t, image.point, clearance);
+      else
+        insert(image.point, image.on, TetId());
+    }
+    last_ = last;
+    is_image_ = false;
   }
 
   void insert_on_face(const AttributePoint& p, TetId near) {
@@ -499,6 +515,7 @@ class AttributeLoop {
       relabel_.push_back(t);
     }
     last_ = created_.empty() ? TetId() : created_.front();
+    if (on.dim == 2) insert_images(on, p, 0.0);
     return v;
   }
 
@@ -529,6 +546,7 @@ class AttributeLoop {
   std::vector<std::uint8_t> changed_;  ///< per tetrahedron: made in this round
   std::vector<TetId> relabel_, created_, cavity_;
   TetId last_;
+  bool is_image_ = false;  ///< what goes in has its images
 };
 
 }  // namespace

@@ -22,6 +22,13 @@ struct OtherPlace {
   double clear = 0.0;  ///< how far from others of the face
 };
 
+/// Of a point on an edge or face, on another one that is periodic with it.
+struct ImagePoint {
+  ModelRef on;
+  Vec3 point = Vec3::Zero();
+  double t = 0.0;  ///< on an edge
+};
+
 struct AttributeLimits {
   std::size_t rounds = 60;
   std::size_t points = 0;                                      ///< at most so many attribute points
@@ -34,6 +41,8 @@ struct AttributeLimits {
   /// Where a point of a face goes rather than to its own place, if no point of the face is there yet; none:
   /// it stays.
   std::function<std::optional<OtherPlace>(int face, const Vec3&)> elsewhere;
+  /// What goes in with a point, wherever that is; none: nothing.
+  std::function<std::vector<ImagePoint>(ModelRef on, const Vec3&)> images;
 };
 
 struct AttributeResult {

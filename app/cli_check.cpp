@@ -14,9 +14,11 @@
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "app/length_unit.h"
+#include "app/periodic_words.h"
 #include "app/reading_options.h"
 #include "app/report_json.h"
 #include "app/summary.h"
+#include "classify/periodic.h"
 #include "geom/occt/read_part.h"
 #include "io/write.h"
 
@@ -54,7 +56,12 @@ int run_check(const CheckCommand& command) {
   const LengthUnit unit = length_unit(command.unit.empty() ? "mm" : command.unit);
   const Mesh mesh = read_mesh(command.mesh, unit.millimetres);
   const Model model = read_part(command.part, in_millimetres(command.reading, unit));
-  const Acceptance acceptance = accept_as_meshed(mesh, model);
+  Acceptance acceptance = accept_as_meshed(mesh, model);
+  std::vector<PeriodicWish> periodic;
+  for (const std::string& text : command.periodic) periodic.push_back(parse_periodic(text, unit.millimetres));
+  const Periodicity periodicity(model, periodic_faces(model, periodic));
+  if (!periodicity.empty() && acceptance.holds("numbers"))
+    acceptance.claims.push_back(match_periodic(mesh, model, periodicity).claim);
   const std::vector<Fault> beside = faults_of_part(model);
   const RunNames names{command.part.string(), command.mesh.string(), unit.name};
   if (command.json)

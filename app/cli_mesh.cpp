@@ -21,6 +21,7 @@
 #include "app/mesh_file.h"
 #include "app/outline.h"
 #include "app/output_check.h"
+#include "app/periodic_words.h"
 #include "app/reading_options.h"
 #include "app/report_json.h"
 #include "app/same_part.h"
@@ -54,6 +55,8 @@ MeshOptions mesh_options(const MeshCommand& command, const LengthUnit& unit) {
   options.finalize = command.finalize;
   options.scope = command.scope;
   options.order = command.order;
+  for (const std::string& text : command.periodic)
+    options.periodic.push_back(parse_periodic(text, unit.millimetres));
   return options;
 }
 
@@ -134,6 +137,7 @@ int mesh_to_file(const MeshCommand& command, const MeshOptions& options, const L
   write_options.scale = 1.0 / unit.millimetres;
   ModelOutline outline = outline_of(model);
   outline.groups = groups_of(model, groups);
+  outline.links = report.links;
   for (std::size_t i = 0; i < formats.size(); ++i)
     write_mesh(command.outputs[i], made.result.mesh, outline, formats[i], write_options);
   report.times.push_back(clock.lap("writing"));

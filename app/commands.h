@@ -20,6 +20,7 @@ struct MeshCommand {
   ReadOptions reading;                         ///< lengths in `unit`
   SizeWords sizes;                             ///< in `unit`
   std::vector<std::string> groups;             ///< NAME=PLACES; points in `unit`
+  std::vector<std::string> periodic;           ///< x, y, z, PLACES=PLACES; likewise
   std::string unit;                            ///< empty: millimetre
   std::string format;                          ///< empty: by each output's suffix
   std::optional<int> threads;                  ///< none: one per core
@@ -43,8 +44,9 @@ struct InfoCommand {
 
 struct CheckCommand {
   std::filesystem::path mesh, part;
-  ReadOptions reading;  ///< lengths in `unit`
-  std::string unit;     ///< of the mesh file's coordinates; empty: millimetre
+  ReadOptions reading;                ///< lengths in `unit`
+  std::vector<std::string> periodic;  ///< as MeshCommand has it
+  std::string unit;                   ///< of the mesh file's coordinates; empty: millimetre
   bool json = false;
 };
 

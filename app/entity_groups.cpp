@@ -39,6 +39,18 @@ constexpr const char* kKinds[4] = {"vertices", "edges", "faces", "regions"};
 
 }  // namespace
 
+std::vector<SizeAttribute> parse_places(std::string_view text, double unit) {
+  std::vector<SizeAttribute> places;
+  for (const std::string& place : split_places(text)) {
+    SizeAttribute where = parse_size_attribute(place + "=1", unit);
+    if (is_shape(where.where))
+      throw InputError(fmt::format("entities are asked for, and \"{}\" is a piece of space", place));
+    where.text = place;
+    places.push_back(std::move(where));
+  }
+  return places;
+}
+
 GroupWords parse_group(std::string_view text, double unit) {
   GroupWords words;
   words.text = text;
@@ -47,18 +59,10 @@ GroupWords parse_group(std::string_view text, double unit) {
     throw InputError(
         fmt::format("--group \"{}\": a group is written NAME=PLACE, as in fixed=Face1,Face7-9,bore*", text));
   words.name = text.substr(0, equals);
-  for (const std::string& place : split_places(text.substr(equals + 1))) {
-    SizeAttribute where;
-    try {
-      where = parse_size_attribute(place + "=1", unit);
-    } catch (const InputError& error) {
-      throw InputError(fmt::format("--group \"{}\": {}", text, error.what()));
-    }
-    if (is_shape(where.where))
-      throw InputError(
-          fmt::format("--group \"{}\": a group is of entities, and \"{}\" is a piece of space", text, place));
-    where.text = place;
-    words.places.push_back(std::move(where));
+  try {
+    words.places = parse_places(text.substr(equals + 1), unit);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("--group \"{}\": {}", text, error.what()));
   }
   return words;
 }

@@ -18,9 +18,12 @@ struct GroupWords {
   std::vector<SizeAttribute> places;
 };
 
-/// From `NAME=PLACE,PLACE,...`, places as of parse_size_attribute() but for shapes: a comma parts two places
-/// where a letter, * or ? follows, else it is one of a point's. `unit`: as there. InputError with the reason
-/// when the text means nothing.
+/// From `PLACE,PLACE,...`, places as of parse_size_attribute() but for shapes: a comma parts two places where
+/// a letter, * or ? follows, else it is one of a point's. `unit`: as there. InputError with the reason when
+/// the text means nothing.
+[[nodiscard]] std::vector<SizeAttribute> parse_places(std::string_view text, double unit = 1.0);
+
+/// From `NAME=PLACES`, as of parse_places(). InputError likewise.
 [[nodiscard]] GroupWords parse_group(std::string_view text, double unit = 1.0);
 
 /// The groups, each name once: what is said of it several times is put together. InputError where a place is

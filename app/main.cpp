@@ -78,6 +78,17 @@ void add_order(CLI::App& sub, int& order, const char* none_given) {
       ->type_name("N");
 }
 
+void add_periodic(CLI::App& sub, std::vector<std::string>& periodic) {
+  sub.add_option(
+         "--periodic", periodic,
+         "Faces that have the same mesh, in another place, may be repeated: x, y, z (those in the "
+         "least plane across the axis and those in the greatest), or Face1,Face4=Face2,Face5 (the faces "
+         "and their images under one motion, which is found); places as of --size-at")
+      ->type_name("x|PLACES=PLACES")
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
 /// What `mesh` and `adapt` have alike.
 void add_meshing(CLI::App& sub, MeshCommand& mesh) {
   sub.add_option(
@@ -96,6 +107,7 @@ void add_meshing(CLI::App& sub, MeshCommand& mesh) {
       ->type_name("NAME=PLACES")
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  add_periodic(sub, mesh.periodic);
   sub.add_option("--unit", mesh.unit, kUnitHelp)->type_name("UNIT");
   sub.add_option("--format", mesh.format, mesh_format_names() + " (default: by suffix)")->type_name("FORMAT");
   sub.add_option("--threads", mesh.threads,
@@ -189,6 +201,7 @@ void add_check(CLI::App& app, CheckCommand& check) {
   sub.add_option("part", check.part, "STEP, IGES or BREP file")->required()->type_name("FILE");
   sub.add_option("--unit", check.unit, std::string("Unit of the mesh file: ") + kUnitHelp)->type_name("UNIT");
   sub.add_flag("--json", check.json, "Print JSON");
+  add_periodic(sub, check.periodic);
   add_reading_options(sub, check.reading);
   sub.footer(kFooter);
 }

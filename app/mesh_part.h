@@ -16,8 +16,10 @@
 #include "finalize/curve.h"
 #include "finalize/finalize.h"
 #include "geom/model.h"
+#include "geom/size_attributes.h"
 #include "geom/size_plan.h"
 #include "mesh/mesh.h"
+#include "mesh/periodic_link.h"
 #include "mesh/quality.h"
 #include "octree/root.h"
 
@@ -30,6 +32,13 @@ enum class LargeMesh {
   kAtOnce,  ///< before one of larger elements
 };
 
+/// Faces whose meshes are to be images of each other (app/periodic_words.h).
+struct PeriodicWish {
+  std::string text;  ///< as the user wrote it, for messages
+  int axis = -1;     ///< 0..2: the faces in the least plane across this axis, and those in the greatest
+  std::vector<SizeAttribute> faces, images;  ///< else
+};
+
 /// Sizes (geom/size_plan.h), and what else a run may be told.
 struct MeshOptions : SizeControl {
   double target_elements = 0.0;  ///< sizes are scaled to get about so many tetrahedra; 0: as they are
@@ -38,6 +47,7 @@ struct MeshOptions : SizeControl {
   std::array<double, 3> shift = kRootShift;   ///< of the part in the lattice: octree/root.h
   FinalizeScope scope = FinalizeScope::kAll;  ///< of finalization
   LargeMesh large_mesh = LargeMesh::kLast;
+  std::vector<PeriodicWish> periodic;
   int order = 1;  ///< of the elements: 2 gives each edge a node in its middle, on the curved faces
 };
 
@@ -66,8 +76,9 @@ struct MeshReport {
   /// What is a danger at this size though the mesh may be complete: wide gaps, faces that cross; and walls
   /// that get fewer elements across than asked for.
   std::vector<Fault> warnings;
-  std::vector<std::string> notes;  ///< wishes without effect, or not met, and why
-  SizeShortfall shortfall;         ///< where the part is finer than the size asked for
+  std::vector<std::string> notes;   ///< wishes without effect, or not met, and why
+  std::vector<PeriodicLink> links;  ///< of what is periodic and fits, for writers (ModelOutline)
+  SizeShortfall shortfall;          ///< where the part is finer than the size asked for
   QualitySummary quality;
   Acceptance acceptance;
   double volume = 0.0, cad_volume = 0.0;

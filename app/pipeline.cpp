@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The run from model to mesh, as a list of verbs.
+#include "app/pipeline.h"
+
 #include <fmt/format.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <array>
@@ -11,7 +12,6 @@
 #include <optional>
 #include <utility>
 
-#include "app/apart.h"
 #include "app/attempt.h"
 #include "app/edge_divisions.h"
 #include "app/element_limits.h"
@@ -19,18 +19,13 @@
 #include "app/held_boundary.h"
 #include "app/leave_out.h"
 #include "app/measures.h"
-#include "app/mesh_part.h"
 #include "app/octant_sizes.h"
-#include "app/option_check.h"
-#include "app/own_frame.h"
-#include "app/second_order.h"
+#include "app/periodic_mesh.h"
 #include "app/size_notes.h"
 #include "app/size_shortfall.h"
 #include "app/stage_clock.h"
-#include "app/stage_times.h"
 #include "app/suited_octants.h"
 #include "app/target_elements.h"
-#include "app/usable_threads.h"
 #include "app/watched_observer.h"
 #include "classify/extract.h"
 #include "finalize/finalize.h"
@@ -84,14 +79,17 @@ class Run {
  public:
   /// `most`: tetrahedra; TooManyTets is thrown where there would be far more.
   /// `memo`: what plans of the frame's model found.
-  Run(const OwnFrame& frame, const MeshOptions& options, double most, SizeMemo& memo, Observer& observer)
+  Run(const OwnFrame& frame, const MeshOptions& options, double most, const PeriodicSeeds* periodic,
+      SizeMemo& memo, Observer& observer)
       : frame_(frame),
         part_(frame.part()),
         model_(frame.model()),
         options_(options),
         most_(most),
         memo_(memo),
-        observer_(observer) {}
+        observer_(observer) {
+    seeds_.periodic = periodic;
+  }
 
   MeshResult run() {
     choose_size();
@@ -272,6 +270,7 @@ class Run {
     limits.per_cell = kPointsPerOctant;
     limits.gaps = most_gaps(attempt);
     limits.floor = floor_share * finest_octant();
+    limits.images = image_points(seeds_.periodic, model_);
     close_holes(attempt, model_, octant_, limits, observer_);
     result_.report.attribute_points += attempt.closed.points;
     result_.report.rounds += attempt.closed.rounds;
@@ -404,7 +403,8 @@ class Run {
     if (!gaps_left_ && !begun_ && result_.mesh.tets.size() <= kKeptTets)
       begun_ = Begun{result_.mesh, result_.report.template_tets};
     FinalizeOptions given = finalize_options();
-    given.held = with_divided(held_.vertices(), result_.mesh, seeds_.divisions);
+    given.held = with_periodic(with_divided(held_.vertices(), result_.mesh, seeds_.divisions), result_.mesh,
+                               seeds_.periodic);
     if (const GapRooms* rooms = held_.rooms())
       given.room_at = [rooms](const Vec3& p) { return rooms->at(p); };
     if (wish_) given.coarse_size_at = [this](const Vec3& p) { return wish_->spacing_at(p); };
@@ -558,43 +558,9 @@ class Run {
 
 }  // namespace
 
-MeshResult mesh_part(const Model& model, const MeshOptions& options, Observer& own_observer) {
-  check_options(options);
-  const bool apart = is_meshed_apart(model);
-  MeshResult result;
-  int makings = 0;
-  StageClock clock;
-  tbb::task_arena arena(usable_threads(options.threads));
-  WatchedObserver observer(own_observer, options.cancelled);
-  MeshOptions watched = options;
-  watched.cancelled = [&observer] { return observer.cancelled(); };
-  arena.execute([&] {
-    observer.stage("sizes", 0.0);
-    const OwnFrame frame(model, watched);
-    SizeMemo memo;
-    const auto mesh = [&](const MeshOptions& with, double most) {
-      ++makings;
-      return apart ? mesh_apart(model, with, observer) : Run(frame, with, most, memo, observer).run();
-    };
-    const auto mesh_all = [&](const MeshOptions& with) {
-      return mesh(with, std::numeric_limits<double>::infinity());
-    };
-    result = options.target_elements > 0.0 ? mesh_to_target(frame.model(), frame.options(), mesh_all, &memo)
-                                           : mesh_by_default(frame.model(), frame.options(), mesh, &memo);
-  });
-  if (options.order == 2) arena.execute([&] { raise_order(result, model, observer); });
-  MeshReport& report = result.report;
-  add_size_notes(model, options, observer, report);
-  add_rest(beside_stages(clock.lap({}), report.times), makings, report.times);
-  const std::vector<Fault> of_part = faults_of_part(model);
-  report.faults.insert(report.faults.begin(), of_part.begin(), of_part.end());
-  if (!report.faults.empty()) report.status = MeshStatus::kIncomplete;
-  return result;
-}
-
-MeshResult mesh_part(const Model& model, const MeshOptions& options) {
-  Observer silent;
-  return mesh_part(model, options, silent);
+MeshResult run_pipeline(const OwnFrame& frame, const MeshOptions& options, double most,
+                        const PeriodicSeeds* periodic, SizeMemo& memo, Observer& observer) {
+  return Run(frame, options, most, periodic, memo, observer).run();
 }
 
 }  // namespace octet

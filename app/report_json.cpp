@@ -109,6 +109,22 @@ Json regions_json(const Model& model, const Acceptance& acceptance) {
   return json;
 }
 
+/// Nodes by their numbers in mesh files; motions in millimetre.
+Json periodic_json(const Model& model, const std::vector<PeriodicLink>& links) {
+  Json json = Json::array();
+  for (const PeriodicLink& link : links) {
+    Json nodes = Json::array();
+    for (const auto& [node, source] : link.nodes) nodes.push_back({node + 1, source + 1});
+    json.push_back({{"dim", link.entity.dim},
+                    {"tag", link.entity.tag},
+                    {"entity", model.describe(link.entity)},
+                    {"source", link.source.tag},
+                    {"motion", link.motion},
+                    {"nodes", nodes}});
+  }
+  return json;
+}
+
 Json renumbered_json(const Model& model) {
   Json json = Json::array();
   for (const NumberChange& change : changed_numbers(model.provenance()))
@@ -147,6 +163,7 @@ std::string mesh_report_json(const RunNames& names, const Model& model, const Me
                         {"place", vec_json(farthest->place)}};
   const SelfContact contact = self_contact(model);
   json["touches_itself"] = {{"edges", contact.edges}, {"vertices", contact.vertices}};
+  if (!report.links.empty()) json["periodic"] = periodic_json(model, report.links);
   json["renumbered"] = renumbered_json(model);
   json["times"] = Json::array();
   for (const StageTime& time : report.times)

@@ -124,6 +124,18 @@ std::string distance_line(const Model& model, const std::optional<Farthest>& far
                      model.describe(farthest->entity), place_text(farthest->place));
 }
 
+std::string periodic_line(const std::vector<PeriodicLink>& links) {
+  std::size_t faces = 0, nodes = 0;
+  for (const PeriodicLink& link : links)
+    if (link.entity.dim == 2) {
+      ++faces;
+      nodes += link.nodes.size();
+    }
+  if (faces == 0) return {};
+  return fmt::format("  {:<9}{} {} of others, {} pairs of nodes\n", "periodic", faces,
+                     faces == 1 ? "face is the image" : "faces are images", nodes);
+}
+
 std::string times_line(const std::vector<StageTime>& times) {
   double total = 0.0;
   std::string parts;
@@ -160,6 +172,7 @@ std::string mesh_summary(const Model& model, const MeshReport& report) {
   text += measure_line("area", "mm^2", report.area, report.cad_area);
   text += distance_line(model, farthest_from_cad(report));
   text += contact_line(model);
+  text += periodic_line(report.links);
   text += times_line(report.times);
   text += note_lines(model, report);
   if (!report.warnings.empty())

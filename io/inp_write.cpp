@@ -54,15 +54,33 @@ void write_elements(OutputFile& file, const Mesh& mesh, const std::string& name,
   });
 }
 
-/// The nodes of these elements of a dimension, ascending, as a set.
-void write_node_set(OutputFile& file, const Mesh& mesh, const ElementGroups& groups, int dim,
-                    const std::vector<std::uint32_t>& items, const std::string& name) {
-  const std::vector<std::uint64_t> nodes = nodes_of_elements(mesh, groups, dim, items);
-  std::string text = fmt::format("*NSET, NSET={}\n", name);
+std::string node_set(const std::string& head, const std::vector<std::uint64_t>& nodes) {
+  std::string text = fmt::format("*NSET, NSET={}\n", head);
   for (std::size_t k = 0; k < nodes.size(); ++k)
     text +=
         fmt::format("{}{}", nodes[k], k + 1 == nodes.size() || k % kPerLine == kPerLine - 1 ? "\n" : ", ");
-  file.write(text);
+  return text;
+}
+
+/// The nodes of these elements of a dimension, ascending, as a set.
+void write_node_set(OutputFile& file, const Mesh& mesh, const ElementGroups& groups, int dim,
+                    const std::vector<std::uint32_t>& items, const std::string& name) {
+  file.write(node_set(name, nodes_of_elements(mesh, groups, dim, items)));
+}
+
+/// Of faces that are images two sets in an order in which the one's nodes are the images of the other's, as
+/// equations between two sets take them.
+void write_periodic(OutputFile& file, const std::vector<PeriodicLink>& links, const SetNames& names) {
+  for (const PeriodicLink& link : links) {
+    if (link.entity.dim != 2) continue;
+    std::vector<std::uint64_t> nodes, sources;
+    for (const auto& [node, source] : link.nodes) {
+      nodes.push_back(node + std::uint64_t{1});
+      sources.push_back(source + std::uint64_t{1});
+    }
+    const std::string& name = names.of.at(link.entity);
+    file.write(node_set(name + "_image, UNSORTED", nodes) + node_set(name + "_source, UNSORTED", sources));
+  }
 }
 
 void write_surface(OutputFile& file, const Mesh& mesh, const FaceSides& sides, const std::string& name,
@@ -113,6 +131,7 @@ void write_inp(OutputFile& file, const Mesh& mesh, const ModelOutline& outline, 
     }
   }
   write_shared(file, mesh, groups, sides, names);
+  write_periodic(file, outline.links, names);
 }
 
 }  // namespace octet

@@ -70,6 +70,18 @@ void write_elements(OutputFile& file, const Mesh& mesh, const ElementGroups& gro
   file.write(binary ? "\n$EndElements\n" : "$EndElements\n");
 }
 
+/// As text, in binary files too.
+void write_periodic(OutputFile& file, const std::vector<PeriodicLink>& links, double scale) {
+  if (links.empty()) return;
+  std::string text = fmt::format("$Periodic\n{}\n", links.size());
+  for (const PeriodicLink& link : links) {
+    text += fmt::format("{} {} {}\nAffine {}\n{}\n", link.entity.dim, link.entity.tag, link.source.tag,
+                        fmt::join(scaled_motion(link, scale), " "), link.nodes.size());
+    for (const auto& [node, source] : link.nodes) text += fmt::format("{} {}\n", node + 1, source + 1);
+  }
+  file.write(text + "$EndPeriodic\n");
+}
+
 }  // namespace
 
 void write_msh22(OutputFile& file, const Mesh& mesh, const ModelOutline& outline, Encoding encoding,
@@ -88,6 +100,7 @@ void write_msh22(OutputFile& file, const Mesh& mesh, const ModelOutline& outline
   file.write(physical_names_section(physical_names(complete_outline(outline, mesh), groups)));
   write_nodes(file, mesh, binary, scale);
   write_elements(file, mesh, groups, binary);
+  write_periodic(file, outline.links, scale);
 }
 
 }  // namespace octet

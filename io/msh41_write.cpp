@@ -21,6 +21,7 @@ class Row {
   void size(std::uint64_t value) { put(&value, 1); }
   void sizes(const std::uint64_t* values, int n) { put(values, n); }
   void reals(const Vec3& values) { put(values.data(), 3); }
+  void reals(const std::array<double, 16>& values) { put(values.data(), 16); }
   void end_line() {
     if (!binary_) out_.push_back('\n');
     begun_ = false;
@@ -167,6 +168,28 @@ void write_elements(Sink& sink, const Mesh& mesh, const ElementGroups& groups) {
   sink.end("Elements");
 }
 
+void write_periodic(Sink& sink, const std::vector<PeriodicLink>& links, double scale) {
+  if (links.empty()) return;
+  sink.begin("Periodic");
+  sink.line([&](Row& row) { row.size(links.size()); });
+  for (const PeriodicLink& link : links) {
+    sink.line([&](Row& row) {
+      row.integer(link.entity.dim);
+      row.integer(link.entity.tag);
+      row.integer(link.source.tag);
+    });
+    sink.line([&](Row& row) {
+      row.size(16);
+      row.reals(scaled_motion(link, scale));
+    });
+    sink.line([&](Row& row) { row.size(link.nodes.size()); });
+    sink.lines(link.nodes.size(), [&](Row& row, std::size_t i) {
+      for (const std::uint32_t node : link.nodes[i]) row.size(std::uint64_t{node} + 1);
+    });
+  }
+  sink.end("Periodic");
+}
+
 }  // namespace
 
 void write_msh41(OutputFile& file, const Mesh& mesh, const ModelOutline& outline, Encoding encoding,
@@ -181,6 +204,7 @@ void write_msh41(OutputFile& file, const Mesh& mesh, const ModelOutline& outline
   write_entities(sink, whole, groups_of_entities(names, sets), scale);
   write_nodes(sink, mesh, scale);
   write_elements(sink, mesh, groups);
+  write_periodic(sink, whole.links, scale);
 }
 
 }  // namespace octet

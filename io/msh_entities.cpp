@@ -85,6 +85,12 @@ bool exists_in(const std::vector<OutlineEntity>& entities, int tag) {
 
 }  // namespace
 
+std::array<double, 16> scaled_motion(const PeriodicLink& link, double scale) {
+  std::array<double, 16> motion = link.motion;
+  for (const std::size_t shift : {3, 7, 11}) motion[shift] *= scale;
+  return motion;
+}
+
 std::string printable(std::string name) {
   for (char& c : name) {
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = ' ';

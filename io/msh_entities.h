@@ -84,6 +84,9 @@ struct PhysicalSet : OutlineGroup {
 /// Bounding entities that do not exist are dropped.
 [[nodiscard]] ModelOutline complete_outline(const ModelOutline& outline, const Mesh& mesh);
 
+/// The motion of a link, row by row, in the file's unit.
+[[nodiscard]] std::array<double, 16> scaled_motion(const PeriodicLink& link, double scale);
+
 /// A name without quotes and control characters.
 [[nodiscard]] std::string printable(std::string name);
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/vec.h"
+#include "mesh/periodic_link.h"
 
 namespace octet {
 
@@ -31,6 +32,7 @@ struct OutlineGroup {
 struct ModelOutline {
   std::array<std::vector<OutlineEntity>, 4> entities;
   std::vector<OutlineGroup> groups;
+  std::vector<PeriodicLink> links;  ///< of the mesh that is written
 };
 
 }  // namespace octet

@@ -20,21 +20,25 @@ constexpr double kPieceLength = 1.17;
 /// Length of an edge in units of the local size, as a function of the parameter.
 class SizedLength {
  public:
-  SizedLength(const SeedState& state, int tag) {
-    const ModelEdge& edge = state.model.edge(tag);
-    double finest = edge.length;
-    for (int i = 0; i <= 32; ++i) {
-      const double t = edge.t0 + (edge.t1 - edge.t0) * i / 32;
-      finest = std::min(finest, state.tree.spacing_at(state.model.edge_point(tag, t)));
-    }
-    const int n = static_cast<int>(std::clamp(std::ceil(4.0 * edge.length / finest), 16.0, 20000.0));
-    Vec3 last = state.model.edge_point(tag, edge.t0);
-    t_.push_back(edge.t0);
+  SizedLength(const SeedState& state, int tag)
+      : SizedLength(state, tag, state.model.edge(tag).t0, state.model.edge(tag).t1,
+                    [&](const Vec3& p) { return state.tree.spacing_at(p); }) {}
+
+  /// From t0 on to t1; `spacing_at`: the local size at a place between.
+  template <class Spacing>
+  SizedLength(const SeedState& state, int tag, double t0, double t1, const Spacing& spacing_at) {
+    const double whole = state.model.edge_length(tag, t0, t1);
+    double finest = whole;
+    for (int i = 0; i <= 32; ++i)
+      finest = std::min(finest, spacing_at(state.model.edge_point(tag, t0 + (t1 - t0) * i / 32)));
+    const int n = static_cast<int>(std::clamp(std::ceil(4.0 * whole / finest), 16.0, 20000.0));
+    Vec3 last = state.model.edge_point(tag, t0);
+    t_.push_back(t0);
     s_.push_back(0.0);
     for (int i = 1; i <= n; ++i) {
-      const double t = edge.t0 + (edge.t1 - edge.t0) * i / n;
+      const double t = t0 + (t1 - t0) * i / n;
       const Vec3 p = state.model.edge_point(tag, t);
-      s_.push_back(s_.back() + (p - last).norm() / state.tree.spacing_at(0.5 * (p + last)));
+      s_.push_back(s_.back() + (p - last).norm() / spacing_at(0.5 * (p + last)));
       t_.push_back(t);
       last = p;
     }
@@ -54,13 +58,14 @@ class SizedLength {
 
 class EdgeSeeder {
  public:
-  EdgeSeeder(SeedState& state, const std::vector<int>& divisions)
+  EdgeSeeder(SeedState& state, const SeedOptions& options)
       : state_(state),
         model_(state.model),
         stops_(static_cast<std::size_t>(model_.count(1)) + 1),
         divided_(stops_.size(), false) {
-    for (int e = 1; e < static_cast<int>(divisions.size()); ++e)
-      if (divisions[e] > 0 && model_.edge(e).use == EdgeUse::kReal) divide(e, divisions[e]);
+    for (int e = 1; e < static_cast<int>(options.divisions.size()); ++e)
+      if (options.divisions[e] > 0 && model_.edge(e).use == EdgeUse::kReal) divide(e, options.divisions[e]);
+    if (options.periodic != nullptr) tie(*options.periodic);
   }
 
   void run() {
@@ -177,6 +182,61 @@ class EdgeSeeder {
     for (const double t : stops_[tag]) pending_.push_back({tag, t});
   }
 
+  /// Edges that are images of one another have the same points: those given, or those in equal pieces that
+  /// one of them has already, or else such as the least of the local sizes asks for.
+  void tie(const PeriodicSeeds& seeds) {
+    const Periodicity& periodicity = seeds.periodicity;
+    std::vector<std::vector<double>> tied(stops_.size());
+    for (const std::vector<PieceMember>& orbit : periodicity.pieces()) {
+      const bool whole = periodicity.is_whole(orbit);
+      const PieceMember* source = &orbit.front();
+      for (const PieceMember& member : orbit)
+        if (whole && stops_[member.edge].size() > stops_[source->edge].size()) source = &member;
+      const std::vector<double> stops =
+          whole && divided_[source->edge] ? stops_[source->edge] : stops_for(*source, orbit, whole);
+      for (const PieceMember& member : orbit) {
+        std::vector<double>& own = tied[member.edge];
+        const Motion motion = member.motion.after(source->motion.inverse());
+        for (const double t : stops)
+          own.push_back(&member == source ? t : image_of(source->edge, t, motion, member.edge));
+        if (member.t1 < model_.edge(member.edge).t1) own.push_back(member.t1);
+      }
+    }
+    for (int e = 1; e <= model_.count(1); ++e) {
+      if (!periodicity.holds(model_edge(e))) continue;
+      stops_[e] = seeds.given.has_edge(e) ? *seeds.given.on_edge[static_cast<std::size_t>(e)] : tied[e];
+      std::sort(stops_[e].begin(), stops_[e].end());
+      divided_[e] = true;
+      for (const double t : stops_[e]) pending_.push_back({e, t});
+    }
+  }
+
+  /// Those between the ends of a piece, by the least of the sizes along its images.
+  [[nodiscard]] std::vector<double> stops_for(const PieceMember& piece, const std::vector<PieceMember>& orbit,
+                                              bool whole) const {
+    const SizedLength length(state_, piece.edge, piece.t0, piece.t1, [&](const Vec3& p) {
+      double least = spacing_at(p);
+      for (const PieceMember& member : orbit)
+        least = std::min(least, spacing_at(member.motion.after(piece.motion.inverse())(p)));
+      return least;
+    });
+    int n = std::max(1, static_cast<int>(std::ceil(length.at(piece.t1) / kPieceLength - 0.5)));
+    for (const PieceMember& member : orbit) {
+      const Vec3 a = model_.edge_point(member.edge, member.t0), b = model_.edge_point(member.edge, member.t1);
+      if (whole)
+        n = std::max(n, least_pieces(member.edge, member.t0, member.t1));
+      else if (model_.edge_length(member.edge, member.t0, member.t1) > 1.1 * (b - a).norm())
+        n = std::max(n, 2);
+    }
+    std::vector<double> stops;
+    for (int k = 1; k < n; ++k) stops.push_back(length.parameter(length.at(piece.t1) * k / n));
+    return stops;
+  }
+
+  [[nodiscard]] double image_of(int edge, double t, const Motion& motion, int image) const {
+    return model_.edge_closest(image, motion(model_.edge_point(edge, t))).t;
+  }
+
   void subdivide(int tag) {
     if (divided_[tag]) return;
     const ModelEdge& edge = model_.edge(tag);
@@ -278,8 +338,6 @@ class EdgeSeeder {
 
 }  // namespace
 
-void seed_model_edges(SeedState& state, const std::vector<int>& divisions) {
-  EdgeSeeder(state, divisions).run();
-}
+void seed_model_edges(SeedState& state, const SeedOptions& options) { EdgeSeeder(state, options).run(); }
 
 }  // namespace octet

@@ -30,8 +30,24 @@ enum class Beside { kNothing, kBlocks };
 /// Puts points on faces into a list of its own, and reads `state` alone: several can be beside one another.
 class FaceSeeder {
  public:
-  explicit FaceSeeder(const SeedState& state)
-      : state_(state), model_(state.model), own_grid_(state.tree.origin(), state.tree.root_size()) {}
+  /// Faces of `given`, if there is any, get no points.
+  FaceSeeder(const SeedState& state, const GivenPoints* given)
+      : state_(state),
+        model_(state.model),
+        given_(given),
+        own_grid_(state.tree.origin(), state.tree.root_size()) {}
+
+  /// The partners of points that are given to faces, as far as there is room.
+  void match_given() {
+    const SeedPoints& points = state_.seeds.points;
+    for (std::size_t n = 0; n < points.size(); ++n) {
+      if (points.on[n].dim != 2) continue;
+      const FacePoint a{points.position[n], points.on[n].tag, points.spacing[n]};
+      const Vec3 normal = model_.face_project(a.face, a.p).normal;
+      for (const FacePoint& b : partners_of(a, normal, may_be_in_stack(a, normal)))
+        if (is_free(b)) add(b);
+    }
+  }
 
   /// A vertex or edge that comes close to a face it does not bound gets a partner on that face.
   void match_vertices_and_edges() {
@@ -58,7 +74,7 @@ class FaceSeeder {
   /// beside others, for a stack may be thicker than a block.
   bool offer(const Hit& hit, double spacing, Beside beside) {
     const FacePoint a{hit.point, hit.on.tag, spacing};
-    if (!is_free(a) ||
+    if (is_given(a.face) || !is_free(a) ||
         (model_.is_plane(a.face) && is_crowded(a, kWideSpacing, Among::kFace) && has_room(a, hit.normal)))
       return true;
     const bool in_stack = may_be_in_stack(a, hit.normal);
@@ -85,7 +101,10 @@ class FaceSeeder {
     }
   }
 
+  [[nodiscard]] bool is_given(int face) const { return given_ != nullptr && given_->has_face(face); }
+
   void add(const FacePoint& a) {
+    if (is_given(a.face)) return;
     own_grid_.add(static_cast<std::uint32_t>(own_.size()), a.p, a.size);
     own_.push_back(a);
   }
@@ -93,6 +112,7 @@ class FaceSeeder {
   /// Far enough from the points of the same face's closure, and outside the diametral ball of every edge
   /// piece.
   [[nodiscard]] bool is_free(const FacePoint& a) const {
+    if (is_given(a.face)) return true;  // and stays without
     if (is_crowded(a, model_.is_plane(a.face) ? kPlaneSpacing : kFaceSpacing, Among::kClosure)) return false;
     const SeedPoints& points = state_.seeds.points;
     const auto is_within = [&](std::uint32_t n) {
@@ -201,6 +221,7 @@ class FaceSeeder {
 
   const SeedState& state_;
   const Model& model_;
+  const GivenPoints* given_;
   std::vector<FacePoint> own_;
   PointGrid own_grid_;
 };
@@ -300,16 +321,21 @@ std::uint64_t CutBlocks::block_of(const Vec3& p) const {
 
 }  // namespace
 
-void seed_model_faces(SeedState& state, const std::vector<OctantEdgeCut>& cuts,
-                      const std::function<bool()>& cancelled) {
+void seed_model_faces(SeedState& state, const std::vector<OctantEdgeCut>& cuts, const SeedOptions& options) {
   constexpr std::size_t kCutsAQuestion = 4096;
   const auto ask = [&] {
-    if (cancelled && cancelled()) throw Cancelled();
+    if (options.cancelled && options.cancelled()) throw Cancelled();
   };
+  const GivenPoints* given = options.periodic == nullptr ? nullptr : &options.periodic->given;
+  for (int f = 1; given != nullptr && f <= state.model.count(2); ++f)
+    if (given->has_face(f))
+      for (const Vec3& p : *given->on_face[static_cast<std::size_t>(f)])
+        state.add(p, model_face(f), state.tree.spacing_at(p));
   const auto add_all = [&](const std::vector<FacePoint>& points) {
     for (const FacePoint& a : points) state.add(a.p, model_face(a.face), a.size);
   };
-  FaceSeeder seeder(state);
+  FaceSeeder seeder(state, given);
+  if (given != nullptr) seeder.match_given();
   seeder.match_vertices_and_edges();
   seeder.add_rings();
   const std::vector<double> spacings = candidate_spacings(state, cuts);
@@ -330,7 +356,7 @@ void seed_model_faces(SeedState& state, const std::vector<OctantEdgeCut>& cuts,
     ask();
     const std::vector<std::vector<CutRun>>& own = blocks->of_colour(colour);
     const auto placed = map_blocks<Placed>(own.size(), 1, [&](std::size_t b, std::size_t) {
-      FaceSeeder beside(state);
+      FaceSeeder beside(state, given);
       Placed result;
       for (const CutRun& run : own[b])
         for (std::size_t i = run.first; i < run.last; ++i)
@@ -344,7 +370,7 @@ void seed_model_faces(SeedState& state, const std::vector<OctantEdgeCut>& cuts,
     }
   }
   std::sort(in_stacks.begin(), in_stacks.end());
-  FaceSeeder last(state);
+  FaceSeeder last(state, given);
   for (std::size_t n = 0; n < in_stacks.size(); ++n) {
     if (n % kCutsAQuestion == 0) ask();
     last.offer(cuts[in_stacks[n]].hit, spacings[in_stacks[n]], Beside::kNothing);

@@ -52,13 +52,11 @@ struct SeedState {
 
 /// One point a model vertex.
 void seed_model_vertices(SeedState& state);
-/// Points on the real model edges at the local size, in matched pairs; fills `pieces`. `divisions` as in
-/// SeedOptions.
-void seed_model_edges(SeedState& state, const std::vector<int>& divisions);
+/// Points on the real model edges at the local size, in matched pairs; fills `pieces`.
+void seed_model_edges(SeedState& state, const SeedOptions& options);
 /// Points on the model faces: octant-edge cuts by spacing within the face's closure, in matched
 /// pairs and columns.
-void seed_model_faces(SeedState& state, const std::vector<OctantEdgeCut>& cuts,
-                      const std::function<bool()>& cancelled);
+void seed_model_faces(SeedState& state, const std::vector<OctantEdgeCut>& cuts, const SeedOptions& options);
 /// Octree vertices away from the surface; outside ones only in narrow gaps, and pillars for octants of the
 /// size asked for everywhere.
 void seed_octree_vertices(SeedState& state, const OctreeVertices& vertices, const OctreeLabels& labels,

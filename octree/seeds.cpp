@@ -22,8 +22,8 @@ Seeder::~Seeder() = default;
 
 void Seeder::seed_boundary(const std::vector<OctantEdgeCut>& cuts) {
   seed_model_vertices(*state_);
-  seed_model_edges(*state_, options_.divisions);
-  seed_model_faces(*state_, cuts, options_.cancelled);
+  seed_model_edges(*state_, options_);
+  seed_model_faces(*state_, cuts, options_);
 }
 
 Seeds Seeder::seed_octree(const OctreeVertices& vertices, const OctreeLabels& labels) {

@@ -9,6 +9,7 @@
 
 #include "base/seed_points.h"
 #include "octree/cuts.h"
+#include "octree/given_points.h"
 #include "octree/labels.h"
 #include "octree/tips.h"
 
@@ -31,7 +32,8 @@ struct SeedOptions {
   double octree_clearance = 0.4, open_clearance = 0.55;
   /// Per model edge ([0] unused), or empty: how many equal pieces it is to have; 0: by the local size.
   std::vector<int> divisions = {};
-  std::function<bool()> cancelled = {};  ///< as in cut_octant_edges()
+  const PeriodicSeeds* periodic = nullptr;  ///< referred to; none: nothing is
+  std::function<bool()> cancelled = {};     ///< as in cut_octant_edges()
 };
 
 struct SeedState;

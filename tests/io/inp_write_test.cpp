@@ -182,5 +182,19 @@ TEST(InpWrite, ANameOfSeveralFacesIsTheSetOfThemAllAndSoIsAGroup) {
   EXPECT_EQ(block(deck, "*NSET, NSET=far_away"), nullptr) << "of what has no elements";
 }
 
+TEST(InpWrite, NodesOfImagesStandInTheOrderOfTheirSources) {
+  const Mesh mesh = test::plain_box_mesh(2);
+  ModelOutline outline;
+  outline.links.push_back({model_face(2), model_face(1), {}, {{5, 9}, {7, 0}, {8, 3}}});
+  outline.links.push_back({model_edge(2), model_edge(1), {}, {{5, 9}}});
+  const std::vector<Block> deck = deck_of(mesh, outline);
+  const Block *image = block(deck, "*NSET, NSET=Face2_image, UNSORTED"),
+              *source = block(deck, "*NSET, NSET=Face2_source, UNSORTED");
+  ASSERT_TRUE(image != nullptr && source != nullptr);
+  EXPECT_EQ(image->lines, (std::vector<std::vector<double>>{{6, 8, 9}}));
+  EXPECT_EQ(source->lines, (std::vector<std::vector<double>>{{10, 1, 4}}));
+  EXPECT_EQ(block(deck, "*NSET, NSET=Edge2_image, UNSORTED"), nullptr);
+}
+
 }  // namespace
 }  // namespace octet

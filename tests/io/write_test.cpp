@@ -228,6 +228,26 @@ TEST_F(Write, EntitiesTellBoxesAndBounds) {
   EXPECT_NE(text.find("\n1 0 0 0 3 2 1 1 1 6 "), std::string::npos);
 }
 
+TEST_F(Write, MshTellsWhatIsPeriodic) {
+  const Mesh mesh = test::plain_box_mesh(1);
+  ModelOutline outline;
+  outline.links.push_back(
+      {model_face(2), model_face(1), {0, -1, 0, 2, 1, 0, 0, 3, 0, 0, 1, 4, 0, 0, 0, 1}, {{5, 1}, {7, 0}}});
+  const auto section = [&](MeshFormat format) {
+    write_mesh(directory_ / "a", mesh, outline, format, {.scale = 10.0});
+    EXPECT_EQ(read_mesh(directory_ / "a").tets, mesh.tets);  // whoever reads passes over it
+    const std::string bytes = bytes_of(directory_ / "a");
+    return bytes.substr(bytes.find("$Periodic\n"));
+  };
+  EXPECT_EQ(section(MeshFormat::kMsh41Ascii),
+            "$Periodic\n1\n2 2 1\n16 0 -1 0 20 1 0 0 30 0 0 1 40 0 0 0 1\n2\n6 2\n8 1\n$EndPeriodic\n");
+  EXPECT_EQ(section(MeshFormat::kMsh22Ascii),
+            "$Periodic\n1\n2 2 1\nAffine 0 -1 0 20 1 0 0 30 0 0 1 40 0 0 0 1\n2\n6 2\n8 1\n$EndPeriodic\n");
+  EXPECT_EQ(section(MeshFormat::kMsh22Binary), section(MeshFormat::kMsh22Ascii));
+  EXPECT_EQ(section(MeshFormat::kMsh41Binary).size(),
+            std::string("$Periodic\n\n$EndPeriodic\n").size() + 8 + 12 + 8 + 128 + 8 + 4 * 8);
+}
+
 TEST_F(Write, MeshesWhoseArraysDoNotFitAreRefused) {
   Mesh whole = test::plain_box_mesh(1);
   whole.mid = straight_mid_nodes(whole);

@@ -129,6 +129,18 @@ class Arrays(unittest.TestCase):
         with self.assertRaisesRegex(KeyError, "did you mean 'ends'"):
             box.nodes("endz")
 
+    def test_faces_may_be_images_of_others(self):
+        mesh = octet.mesh(model("box.step"), size=5, periodic=["x", "y"])
+        faces = [entity for entity in mesh.periodic if entity[0] == 2]
+        self.assertEqual(len(faces), 2)
+        for entity, (source, motion, pairs) in mesh.periodic.items():
+            moved = mesh.points[pairs[:, 1]] @ motion[:3, :3].T + motion[:3, 3]
+            np.testing.assert_allclose(moved, mesh.points[pairs[:, 0]], atol=1e-9)
+            if entity[0] == 2:
+                np.testing.assert_array_equal(np.sort(pairs[:, 0]), mesh.nodes(f"Face{entity[1]}"))
+                np.testing.assert_array_equal(np.sort(pairs[:, 1]), mesh.nodes(f"Face{source}"))
+        self.assertEqual(octet.mesh(model("box.step"), size=5).periodic, {})
+
     def test_the_order_may_stand_in_a_file_of_options(self):
         with tempfile.TemporaryDirectory() as folder:
             options = os.path.join(folder, "options.json")

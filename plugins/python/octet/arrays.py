@@ -28,6 +28,8 @@ class Mesh:
     names         names by (dimension, tag): what CAD gave, or Face12 and Solid3
     groups        (dimension, tag) of the entities by the name that they have together: of `group` of
                   octet.mesh, or what CAD gave to several
+    periodic      of what is the image of another entity, by (dimension, tag): the other's tag, the motion from
+                  there to here (4, 4), and (n, 2) int64, indices of points here and there
     order         of the elements, 1 or 2
     file          its file, MSH 4.1; one that octet made for itself goes when the mesh does
     report        of the run (docs/conventions.md of octet), a dict; None of a file that was read

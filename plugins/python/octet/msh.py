@@ -102,6 +102,18 @@ def _elements(cursor, place):
     return numbers, nodes, on
 
 
+def _periodic(cursor):
+    """By dimension and tag of what is an image: the source's tag, the motion from there, and pairs of numbers
+    of nodes."""
+    found = {}
+    for _ in range(cursor.numbers("Q", 1)[0]):
+        dim, tag, source = cursor.numbers("i", 3)
+        motion = cursor.take("d", cursor.numbers("Q", 1)[0])
+        pairs = cursor.take("Q", 2 * cursor.numbers("Q", 1)[0]).reshape(-1, 2)
+        found[dim, tag] = (source, motion.reshape(4, 4) if len(motion) == 16 else np.eye(4), pairs)
+    return found
+
+
 class _Places:
     """Of nodes in the list of points, by their numbers, which ascend."""
 
@@ -114,8 +126,9 @@ class _Places:
 
 
 def _sections(cursor):
-    """What _entities gives, what _nodes gives, and what _elements gives."""
-    names, entities, nodes, elements = {}, ({}, {}), None, None
+    """What _entities gives, what _nodes gives, what _elements gives, and what _periodic gives with places of
+    nodes for their numbers."""
+    names, entities, nodes, elements, periodic = {}, ({}, {}), None, None, {}
     for section in cursor.sections():
         if section == "MeshFormat":
             cursor.line()
@@ -128,11 +141,16 @@ def _sections(cursor):
             nodes = _nodes(cursor)
         elif section == "Elements" and nodes is not None:
             elements = _elements(cursor, _Places(nodes[0]))
+        elif section == "Periodic" and nodes is not None:
+            place = _Places(nodes[0])
+            periodic = {
+                k: (source, motion, place(pairs)) for k, (source, motion, pairs) in _periodic(cursor).items()
+            }
         else:
             cursor.at = cursor.data.index(f"$End{section}".encode(), cursor.at)
     if elements is None:
         raise ValueError("it has no nodes, or no elements")
-    return entities, nodes, elements
+    return entities, nodes, elements, periodic
 
 
 def read(path):
@@ -143,10 +161,10 @@ def read(path):
     if not cursor.data.startswith(b"$MeshFormat\n4.1 1 8\n"):
         raise ValueError(f"{path} is no binary MSH 4.1 file")
     try:
-        (names, groups), (_, points, point_on), (numbers, nodes, on) = _sections(cursor)
+        (names, groups), (_, points, point_on), (numbers, nodes, on), periodic = _sections(cursor)
     except (ValueError, IndexError) as error:
         raise ValueError(f"{path} cannot be read: {error}") from error
-    found = {"points": points, "point_on": point_on, "names": names, "groups": groups}
+    found = {"points": points, "point_on": point_on, "names": names, "groups": groups, "periodic": periodic}
     second = any(rows.shape[1] == 10 for rows in nodes[3])
     widths = (3, 6, 10) if second else (2, 3, 4)
     kinds = (("edges", "edge_on"), ("triangles", "triangle_on"), ("tets", "tet_in"))
