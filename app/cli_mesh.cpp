@@ -5,26 +5,18 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <optional>
 #include <string>
 #include <system_error>
-#include <thread>
 #include <vector>
 
 #include "app/commands.h"
 #include "app/console.h"
-#include "app/entity_groups.h"
 #include "app/exit_code.h"
-#include "app/length_unit.h"
-#include "app/mesh_file.h"
-#include "app/outline.h"
+#include "app/mesh_request.h"
 #include "app/output_check.h"
-#include "app/periodic_words.h"
-#include "app/reading_options.h"
 #include "app/report_json.h"
-#include "app/same_part.h"
 #include "app/stage_clock.h"
 #include "app/summary.h"
 #include "app/usable_threads.h"
@@ -35,30 +27,6 @@ namespace octet {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::size_t element_limit(double value) {
-  if (!std::isfinite(value) || value < 1.0)
-    throw InputError(fmt::format("--max-elements must be at least 1, not {}", value));
-  if (value > static_cast<double>(kMostElements))
-    throw InputError(fmt::format("--max-elements may be {} at most, not {}", kMostElements, value));
-  return static_cast<std::size_t>(value);
-}
-
-MeshOptions mesh_options(const MeshCommand& command, const LengthUnit& unit) {
-  MeshOptions options;
-  apply_sizes(command.sizes, unit, options);
-  if (command.max_elements) options.max_elements = element_limit(*command.max_elements);
-  options.threads =
-      command.threads.value_or(static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
-  if (options.threads < 1)
-    throw InputError(fmt::format("--threads must be at least 1, not {}", options.threads));
-  options.finalize = command.finalize;
-  options.scope = command.scope;
-  options.order = command.order;
-  for (const std::string& text : command.periodic)
-    options.periodic.push_back(parse_periodic(text, unit.millimetres));
-  return options;
-}
 
 void check_distinct(const fs::path& a, const fs::path& b) {
   std::error_code error;
@@ -94,12 +62,6 @@ ConsoleOptions console_options(const MeshCommand& command) {
   return options;
 }
 
-std::vector<GroupWords> group_words(const MeshCommand& command, const LengthUnit& unit) {
-  std::vector<GroupWords> words;
-  for (const std::string& text : command.groups) words.push_back(parse_group(text, unit.millimetres));
-  return words;
-}
-
 /// That of `octet adapt`. None where it cannot be read as a whole, for a field by the tags of its elements
 /// needs less of it: then a note says that it was not held against the part.
 std::optional<Mesh> solved_mesh(const fs::path& path, const LengthUnit& unit, std::string& note) {
@@ -113,20 +75,12 @@ std::optional<Mesh> solved_mesh(const fs::path& path, const LengthUnit& unit, st
   }
 }
 
-int mesh_to_file(const MeshCommand& command, const MeshOptions& options, const LengthUnit& unit,
-                 const RunNames& names, const std::vector<MeshFormat>& formats) {
+int mesh_to_file(const MeshCommand& command, const MeshRequest& request, const RunNames& names,
+                 const std::vector<MeshFormat>& formats) {
   Console console(console_options(command));
-  const std::vector<GroupWords> groups = group_words(command, unit);
   std::string not_asked;
-  const std::optional<Mesh> solved = solved_mesh(command.sizes.field_mesh, unit, not_asked);
-  const auto mesh = [&](const Model& part, LargeMesh large_mesh) {
-    if (solved) require_mesh_of(*solved, part);
-    static_cast<void>(groups_of(part, groups));  // what is nowhere is told before the work
-    MeshOptions own = options;
-    own.large_mesh = large_mesh;
-    return mesh_part(part, own, console);
-  };
-  MeshedFile made = mesh_file(command.part, in_millimetres(command.reading, unit), mesh, console);
+  const std::optional<Mesh> solved = solved_mesh(command.sizes.field_mesh, request.unit, not_asked);
+  MadeMesh made = make_mesh(command.part, request, solved, console);
   const Model& model = made.model;
   MeshReport& report = made.result.report;
   if (!not_asked.empty()) report.notes.push_back(not_asked);
@@ -134,28 +88,24 @@ int mesh_to_file(const MeshCommand& command, const MeshOptions& options, const L
   StageClock clock;
   console.stage("writing", 1.0);
   WriteOptions write_options;
-  write_options.scale = 1.0 / unit.millimetres;
-  ModelOutline outline = outline_of(model);
-  outline.groups = groups_of(model, groups);
-  outline.links = report.links;
+  write_options.scale = 1.0 / request.unit.millimetres;
   for (std::size_t i = 0; i < formats.size(); ++i)
-    write_mesh(command.outputs[i], made.result.mesh, outline, formats[i], write_options);
+    write_mesh(command.outputs[i], made.result.mesh, made.outline, formats[i], write_options);
   report.times.push_back(clock.lap("writing"));
   write_report(command.report, mesh_report_json(names, model, report));
   console.clear();
 
   if (!command.quiet)
     fmt::print("{} -> {}{} ({})\n{}", names.part, names.mesh,
-               names.copies.empty() ? "" : fmt::format(", {}", fmt::join(names.copies, ", ")), unit.name,
-               mesh_summary(model, report));
+               names.copies.empty() ? "" : fmt::format(", {}", fmt::join(names.copies, ", ")),
+               request.unit.name, mesh_summary(model, report));
   return report.status == MeshStatus::kComplete ? kExitComplete : kExitIncomplete;
 }
 
 }  // namespace
 
 int run_mesh(const MeshCommand& command) {
-  const LengthUnit unit = length_unit(command.unit.empty() ? "mm" : command.unit);
-  const MeshOptions options = mesh_options(command, unit);
+  const MeshRequest request = request_of(command);
   if (!command.format.empty() && command.outputs.size() > 1)
     throw InputError("--format is for one output; of several, the suffix of each tells");
   std::vector<MeshFormat> formats;
@@ -165,12 +115,12 @@ int run_mesh(const MeshCommand& command) {
   }
   check_outputs(command, formats);
   const tbb::global_control most_threads(tbb::global_control::max_allowed_parallelism,
-                                         static_cast<std::size_t>(usable_threads(options.threads)));
-  RunNames names{command.part.string(), command.outputs.front().string(), unit.name};
+                                         static_cast<std::size_t>(usable_threads(request.options.threads)));
+  RunNames names{command.part.string(), command.outputs.front().string(), request.unit.name};
   for (auto copy = command.outputs.begin() + 1; copy != command.outputs.end(); ++copy)
     names.copies.push_back(copy->string());
   try {
-    return mesh_to_file(command, options, unit, names, formats);
+    return mesh_to_file(command, request, names, formats);
   } catch (const std::exception& error) {
     write_report(command.report, failure_json(names, error.what()));
     throw;

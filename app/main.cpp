@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
-#include <map>
 #include <new>
 #include <string>
 #include <system_error>
@@ -15,10 +14,10 @@
 #include <vector>
 
 #include "app/commands.h"
-#include "app/config_file.h"
 #include "app/console.h"
 #include "app/exit_code.h"
 #include "app/heap.h"
+#include "app/mesh_words.h"
 #include "app/reading_options.h"
 #include "app/size_options.h"
 #include "base/error.h"
@@ -37,8 +36,6 @@ constexpr const char* kFooter =
     "  2  bad input or use: the part, an option, a limit or the output path; no file was written\n"
     "  3  incomplete: the mesh was written or read, and the faults listed remain\n"
     "  4  failed: no mesh; cancelled, out of memory, or a defect of octet\n";
-
-constexpr const char* kUnitHelp = "mm (default), um, cm, m, inch, ft, ...";
 
 int complain(const std::string& message, ExitCode code) {
   std::string line = message;
@@ -69,26 +66,6 @@ int guarded(const Run& run) {
   }
 }
 
-void add_order(CLI::App& sub, int& order, const char* none_given) {
-  sub.add_option("--order", order,
-                 fmt::format("Order of the elements: 1, or 2, with edges that follow the curved faces and no "
-                             "element turned over (default: {})",
-                             none_given))
-      ->check(CLI::Range(1, 2).description(""))
-      ->type_name("N");
-}
-
-void add_periodic(CLI::App& sub, std::vector<std::string>& periodic) {
-  sub.add_option(
-         "--periodic", periodic,
-         "Faces that have the same mesh, in another place, may be repeated: x, y, z (those in the "
-         "least plane across the axis and those in the greatest), or Face1,Face4=Face2,Face5 (the faces "
-         "and their images under one motion, which is found); places as of --size-at")
-      ->type_name("x|PLACES=PLACES")
-      ->allow_extra_args(false)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-}
-
 /// What `mesh` and `adapt` have alike.
 void add_meshing(CLI::App& sub, MeshCommand& mesh) {
   sub.add_option(
@@ -98,45 +75,13 @@ void add_meshing(CLI::App& sub, MeshCommand& mesh) {
       ->type_name("FILE")
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  add_size_options(sub, mesh.sizes);
-  add_order(sub, mesh.order, "1");
-  sub.add_option(
-         "--group", mesh.groups,
-         "Entities of one dimension by a name of your own, may be repeated: fixed=Face1,Face7-9,bore*; "
-         "places as of --size-at. Written beside the entities' own sets and groups")
-      ->type_name("NAME=PLACES")
-      ->allow_extra_args(false)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  add_periodic(sub, mesh.periodic);
-  sub.add_option("--unit", mesh.unit, kUnitHelp)->type_name("UNIT");
   sub.add_option("--format", mesh.format, mesh_format_names() + " (default: by suffix)")->type_name("FORMAT");
-  sub.add_option("--threads", mesh.threads,
-                 "Threads, no more than cores; any number gives the same bytes (default: all cores)")
-      ->type_name("N");
-  sub.add_option("--max-elements", mesh.max_elements, "Refuse what needs more elements (default: 20000000)")
-      ->type_name("N");
+  add_mesh_wishes(sub, mesh);
   sub.add_option("--report", mesh.report, "Write a report as JSON")->type_name("FILE");
   sub.add_option("--dump-stages", mesh.dump_directory, "Write the mesh of every stage into this directory")
       ->type_name("DIR");
-  CLI::Option* fast = sub.add_flag_callback(
-      "--fast", [&mesh] { mesh.scope = FinalizeScope::kFast; },
-      "One round for all elements' shapes, then the worst up to 20 degrees only");
-  const std::map<std::string, FinalizeScope> scopes{{"smoothing", FinalizeScope::kSmoothing},
-                                                    {"nicks", FinalizeScope::kNicks},
-                                                    {"fast", FinalizeScope::kFast},
-                                                    {"all", FinalizeScope::kAll}};
-  sub.add_option(
-         "--finalize", mesh.scope,
-         "How much to do for shapes: smoothing, nicks (and short edges), fast (as --fast), all (default)")
-      ->transform(CLI::CheckedTransformer(scopes).description(""))
-      ->type_name("SCOPE")
-      ->excludes(fast);
-  sub.add_flag_callback(
-      "--no-finalize", [&mesh] { mesh.finalize = false; },
-      "Leave the elements' shapes as classification made them");
   CLI::Option* quiet = sub.add_flag("--quiet,-q", mesh.quiet, "Print nothing but errors");
   sub.add_flag("--verbose,-v", mesh.verbose, "Tell of every stage on stderr")->excludes(quiet);
-  add_reading_options(sub, mesh.reading);
   sub.footer(kFooter);
 }
 
@@ -260,50 +205,6 @@ std::string meant_command(const CLI::App& app, const std::string& word) {
   std::error_code unreadable;
   if (close.empty() && std::filesystem::is_regular_file(word, unreadable)) close = "mesh " + word;
   return close.empty() ? close : " (did you mean octet " + close + "?)";
-}
-
-/// What may have been meant by the first option that a command does not know.
-std::string meant_option(const CLI::App& app) {
-  for (const CLI::App* command : app.get_subcommands())
-    for (const std::string& word : command->remaining()) {
-      if (word.rfind("--", 0) != 0) continue;
-      std::vector<std::string> known;
-      for (const CLI::Option* option : command->get_options())
-        for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
-      const std::string close = closest_word(word.substr(0, word.find('=')), known);
-      return close.empty() ? std::string() : " (did you mean " + close + "?)";
-    }
-  return {};
-}
-
-void refuse_repetitions(const CLI::App& command) {
-  for (const CLI::Option* option : command.get_options()) {
-    const bool once = option->get_multi_option_policy() == CLI::MultiOptionPolicy::Throw;
-    if (once && !option->get_positional() && option->count() > 1)
-      throw InputError(fmt::format("{} is given twice", option->get_name()));
-  }
-}
-
-/// The command line is parsed alone first: what it says goes before what files say, and it names the files.
-void parse(CLI::App& app, const std::vector<std::string>& words) {
-  const auto parse_words = [&app](std::vector<std::string> all) {
-    std::reverse(all.begin(), all.end());  // as the parser wants them
-    app.parse(std::move(all));
-  };
-  std::exception_ptr failure;
-  try {
-    parse_words(words);
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) throw;
-    failure = std::current_exception();
-  }
-  const std::vector<CLI::App*> commands = app.get_subcommands();
-  if (!commands.empty()) {
-    refuse_repetitions(*commands.front());
-    const std::vector<std::string> all = with_config(*commands.front(), words);
-    if (all != words) return parse_words(all);
-  }
-  if (failure) std::rethrow_exception(failure);
 }
 
 int run(int argc, char** argv) {

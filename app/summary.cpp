@@ -22,13 +22,6 @@ constexpr std::size_t kShownFaults = 10;
 /// Of a region's volume: what is more off than this is hardly meant.
 constexpr double kFarOff = 0.05;
 
-std::string fault_line(const Model& model, const Fault& fault) {
-  std::string line = fault.entity.valid() ? model.describe(fault.entity) + " " : std::string();
-  line += fmt::format("at {}: {}", place_text(fault.place), fault.cause);
-  if (!fault.advice.empty()) line += fmt::format(" -> {}", fault.advice);
-  return line;
-}
-
 std::string fault_lines(const Model& model, const std::vector<Fault>& faults) {
   std::string text;
   for (std::size_t i = 0; i < faults.size() && i < kShownFaults; ++i)
@@ -147,6 +140,13 @@ std::string times_line(const std::vector<StageTime>& times) {
 }
 
 }  // namespace
+
+std::string fault_line(const Model& model, const Fault& fault) {
+  std::string line = fault.entity.valid() ? model.describe(fault.entity) + " " : std::string();
+  line += fmt::format("at {}: {}", place_text(fault.place), fault.cause);
+  if (!fault.advice.empty()) line += fmt::format(" -> {}", fault.advice);
+  return line;
+}
 
 std::string quality_line(const char* name, const QualitySummary& q) {
   return fmt::format(

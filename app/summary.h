@@ -9,6 +9,8 @@
 
 namespace octet {
 
+/// Entity, place, cause and advice.
+[[nodiscard]] std::string fault_line(const Model& model, const Fault& fault);
 /// One line of the shapes, under a name of at most eight letters.
 [[nodiscard]] std::string quality_line(const char* name, const QualitySummary& quality);
 /// The end of `octet mesh`: elements, quality, measures against the CAD, times, status, faults.

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # The installed tree: bin/octet, lib/liboctet_*.a, include/octet/<room>/*.h, libexec/octet/octet-reader,
-# share/octet/python, share/octet/freecad, and a package for find_package(octet).
+# share/octet/python, share/octet/freecad, a package for find_package(octet), and what capi/ installs.
 include(CMakePackageConfigHelpers)
 
 # octet::octet is the whole library under one name.

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Debian packages of the build, by `cpack` in its folder (scripts/package): `octet` (the program, the Python
-# package and the plug-in for FreeCAD, where Debian's Python and FreeCAD find them) and `liboctet-dev` (the
-# library, for find_package).
+# Debian packages of the build, by `cpack` in its folder (scripts/package): `octet` (the program, the library for
+# C, the Python package and the plug-in for FreeCAD, where Debian's Python and FreeCAD find them) and
+# `liboctet-dev` (the library for find_package, and what linking that for C takes).
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_PACKAGE_CONTACT "The Octet developers")

@@ -32,7 +32,8 @@ expect("octet \\(= ")
 foreach(file bin/octet libexec/octet/octet-reader lib/liboctet_app.a lib/cmake/octet/octetConfig.cmake
              include/octet/app/mesh_part.h lib/python3/dist-packages/octet/__init__.py
              share/freecad/Mod/Octet/Init.py share/doc/octet/LICENSE share/man/man1/octet.1
-             share/bash-completion/completions/octet)
+             share/bash-completion/completions/octet lib/liboctet.so.0 lib/liboctet.so include/octet.h
+             lib/pkgconfig/octet.pc)
   if(NOT EXISTS ${work}/root/usr/${file})
     message(FATAL_ERROR "the packages lack /usr/${file}")
   endif()

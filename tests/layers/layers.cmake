@@ -3,7 +3,7 @@
 #   cmake -D ROOT=<source tree> -P layers.cmake
 # A room may include itself, what it lists here, and the standard library. Libraries are held to rooms too.
 cmake_minimum_required(VERSION 3.22)
-set(rooms base geom mesh octree delaunay classify finalize io app)
+set(rooms base geom mesh octree delaunay classify finalize io app capi)
 set(may_base)
 set(may_geom base)
 set(may_mesh base)
@@ -12,7 +12,8 @@ set(may_delaunay base mesh)
 set(may_classify base mesh geom)
 set(may_finalize base mesh geom)
 set(may_io base mesh)
-set(may_app ${rooms})
+set(may_app base geom mesh octree delaunay classify finalize io)
+set(may_capi base geom mesh io app)
 
 set(faults)
 function(report file include why)
