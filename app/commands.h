@@ -21,6 +21,7 @@ struct MeshCommand {
   SizeWords sizes;                             ///< in `unit`
   std::vector<std::string> groups;             ///< NAME=PLACES; points in `unit`
   std::vector<std::string> periodic;           ///< x, y, z, PLACES=PLACES; likewise
+  std::vector<std::string> layers;             ///< PLACES=HEIGHT,COUNT,GROWTH; likewise
   std::string unit;                            ///< empty: millimetre
   std::string format;                          ///< empty: by each output's suffix
   std::optional<int> threads;                  ///< none: one per core

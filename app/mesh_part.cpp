@@ -2,11 +2,13 @@
 // How often a mesh is made, and at which sizes.
 #include "app/mesh_part.h"
 
+#include <fmt/format.h>
 #include <tbb/task_arena.h>
 
 #include <limits>
 
 #include "app/apart.h"
+#include "app/layer_mesh.h"
 #include "app/option_check.h"
 #include "app/own_frame.h"
 #include "app/periodic_mesh.h"
@@ -42,6 +44,11 @@ MeshResult mesh_part(const Model& model, const MeshOptions& options, Observer& o
   const bool apart = is_meshed_apart(model);
   if (apart && !options.periodic.empty())
     throw InputError("--periodic is for parts whose solids share the faces where they touch");
+  if (!options.layers.empty() && (apart || options.order == 2 || !options.periodic.empty()))
+    throw InputError(fmt::format("--layers is not for {}", apart                ? "solids that are kept apart"
+                                                           : options.order == 2 ? "elements of second order"
+                                                                                : "what is periodic"));
+  const std::vector<LayerWish> layers = layer_wishes(model, options.layers);
   const Periodicity periodicity(model, periodic_faces(model, options.periodic));
   MeshResult result;
   int makings = 0;
@@ -70,6 +77,8 @@ MeshResult mesh_part(const Model& model, const MeshOptions& options, Observer& o
     result = options.target_elements > 0.0 ? mesh_to_target(frame.model(), frame.options(), mesh_all, &memo)
                                            : mesh_by_default(frame.model(), frame.options(), mesh, &memo);
   });
+  if (!layers.empty())
+    arena.execute([&] { grow_layers(result, model, layers, watched.cancelled, observer); });
   if (options.order == 2) {
     arena.execute([&] { raise_order(result, model, observer); });
     if (!periodicity.empty()) match_again(result, model, periodicity);

@@ -15,6 +15,7 @@
 #include "classify/acceptance.h"
 #include "finalize/curve.h"
 #include "finalize/finalize.h"
+#include "finalize/layers.h"
 #include "geom/model.h"
 #include "geom/size_attributes.h"
 #include "geom/size_plan.h"
@@ -39,6 +40,15 @@ struct PeriodicWish {
   std::vector<SizeAttribute> faces, images;  ///< else
 };
 
+/// Layers of elements on faces (app/layer_mesh.h).
+struct LayerRequest {
+  std::string text;  ///< as the user wrote it, for messages
+  std::vector<SizeAttribute> places;
+  double first = 0.0;  ///< height of the first (model units)
+  int count = 0;
+  double growth = 1.2;  ///< of each to the one before
+};
+
 /// Sizes (geom/size_plan.h), and what else a run may be told.
 struct MeshOptions : SizeControl {
   double target_elements = 0.0;  ///< sizes are scaled to get about so many tetrahedra; 0: as they are
@@ -48,6 +58,7 @@ struct MeshOptions : SizeControl {
   FinalizeScope scope = FinalizeScope::kAll;  ///< of finalization
   LargeMesh large_mesh = LargeMesh::kLast;
   std::vector<PeriodicWish> periodic;
+  std::vector<LayerRequest> layers;
   int order = 1;  ///< of the elements: 2 gives each edge a node in its middle, on the curved faces
 };
 
@@ -86,7 +97,9 @@ struct MeshReport {
   double area_off = 0.0;  ///< sum of the faces' |area - CAD's area|
   std::size_t nodes = 0, tets = 0, triangles = 0;
   std::size_t attribute_points = 0, rounds = 0;
-  std::size_t template_tets = 0;     ///< of the tetrahedra: emitted from octant templates
+  std::size_t template_tets = 0;  ///< of the tetrahedra: emitted from octant templates
+  /// Of a mesh with layers; `quality` is that of all other elements then.
+  std::optional<LayerReport> layers;
   std::optional<CurveReport> curve;  ///< of a mesh of second order, whose volume and area are the curved ones
   std::vector<StageTime> times;
 };

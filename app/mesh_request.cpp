@@ -8,6 +8,7 @@
 #include <cmath>
 #include <thread>
 
+#include "app/layer_mesh.h"
 #include "app/outline.h"
 #include "app/periodic_words.h"
 #include "app/reading_options.h"
@@ -38,6 +39,8 @@ MeshOptions mesh_options(const MeshCommand& command, const LengthUnit& unit) {
   options.order = command.order;
   for (const std::string& text : command.periodic)
     options.periodic.push_back(parse_periodic(text, unit.millimetres));
+  for (const std::string& text : command.layers)
+    options.layers.push_back(parse_layers(text, unit.millimetres));
   return options;
 }
 

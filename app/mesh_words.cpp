@@ -49,6 +49,13 @@ void add_mesh_wishes(CLI::App& sub, MeshCommand& mesh) {
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   add_periodic(sub, mesh.periodic);
+  sub.add_option(
+         "--layers", mesh.layers,
+         "Thin layers on faces, may be repeated: Face3,Face7=0.1,5 (five, the first 0.1 high, each a fifth "
+         "higher than the one before) or wall*=0.1,5,1.5 (half as high again); places as of --size-at")
+      ->type_name("PLACES=HEIGHT,COUNT[,GROWTH]")
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   sub.add_option("--unit", mesh.unit, kUnitHelp)->type_name("UNIT");
   sub.add_option("--threads", mesh.threads,
                  "Threads, no more than cores; any number gives the same bytes (default: all cores)")

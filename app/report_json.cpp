@@ -100,6 +100,11 @@ Json curve_json(const Model& model, const CurveReport& curve) {
           {"least_scaled_jacobian", curve.least_scaled_jacobian}};
 }
 
+Json layers_json(const LayerReport& layers) {
+  return {{"tets", layers.tets}, {"wall_nodes", layers.nodes},  {"thinner", layers.thinner},
+          {"bare", layers.bare}, {"least_share", layers.least}, {"place", vec_json(layers.least_at)}};
+}
+
 Json regions_json(const Model& model, const Acceptance& acceptance) {
   Json json = Json::array();
   for (const RegionMeasure& region : region_measures(acceptance, model))
@@ -150,6 +155,7 @@ std::string mesh_report_json(const RunNames& names, const Model& model, const Me
   json["rounds"] = report.rounds;
   json["shorter_than_asked"] = shortfall_json(model, report.shortfall);
   json["quality"] = quality_json(report.quality);
+  if (report.layers) json["layers"] = layers_json(*report.layers);
   if (report.curve) json["second_order"] = curve_json(model, *report.curve);
   json["volume"] = measure_json(report.volume, report.cad_volume);
   json["regions"] = regions_json(model, report.acceptance);

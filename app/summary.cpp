@@ -92,6 +92,13 @@ std::string curve_line(const Model& model, const std::optional<CurveReport>& cur
                     place_text(worst.place));
 }
 
+std::string layers_line(const std::optional<LayerReport>& layers) {
+  return layers
+             ? fmt::format("  {:<9}{} tetrahedra on {} nodes of walls; the quality is that of all others\n",
+                           "layers", layers->tets, layers->nodes)
+             : std::string();
+}
+
 std::string measure_line(const char* name, const char* unit, double mesh, double cad) {
   const double error = cad > 0.0 ? 100.0 * (mesh / cad - 1.0) : 0.0;
   return fmt::format("  {:<9}{:.6g} {}, CAD {:.6g} ({:+.3g} %)\n", name, mesh, unit, cad, error);
@@ -166,6 +173,7 @@ std::string mesh_summary(const Model& model, const MeshReport& report) {
                       report.nodes, report.triangles);
   text += shortfall_line(model, report.shortfall);
   text += quality_line("quality", report.quality);
+  text += layers_line(report.layers);
   text += curve_line(model, report.curve);
   text += measure_line("volume", "mm^3", report.volume, report.cad_volume);
   text += regions_line(model, report.acceptance);

@@ -192,8 +192,9 @@ bool raises_mean(const Workshop& shop, VertexId kept, const std::vector<TetId>& 
 
 bool collapse(Workshop& shop, VertexId gone, VertexId kept, double floor, bool for_mean) {
   WorkMesh& mesh = shop.mesh;
-  if (mesh.on[gone].dim == 0 || mesh.held(gone) || mesh.frozen(kept)) return false;
-  if (mesh.held(kept) && mesh.on[gone].dim < 3) return false;
+  const bool alone = mesh.hold[kept] == Hold::kAlone;
+  if (mesh.on[gone].dim == 0 || mesh.held(gone) || (mesh.frozen(kept) && !alone)) return false;
+  if (mesh.held(kept) && !alone && mesh.on[gone].dim < 3) return false;
   if (mesh.on[gone].dim < mesh.on[kept].dim) return false;
   if (!shapes_allow(shop, gone, kept, floor, shop.tets)) return false;
   const std::vector<TetId>& tets = shop.tets;

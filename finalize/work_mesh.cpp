@@ -231,6 +231,19 @@ void take_back(WorkMesh& mesh) {
   resize_vertices(mesh, journal.vertex_count);
 }
 
+void release_alone(WorkMesh& mesh, std::size_t alone) {
+  if (alone == 0) return;
+  std::vector<std::size_t> degree(alone, 0);
+  for (const auto& tet : mesh.tets.values())
+    for (const VertexId v : tet)
+      if (v.index() < alone) ++degree[v.index()];
+  std::vector<TetId> tets;
+  for (std::size_t v = 0; v < alone; ++v) {
+    star(mesh, VertexId(v), tets);
+    if (tets.size() == degree[v]) mesh.hold[VertexId(v)] = Hold::kAlone;
+  }
+}
+
 WorkMesh to_work_mesh(const Mesh& mesh, std::size_t fixed) {
   WorkMesh work;
   const std::size_t vertices = mesh.points.size(), tets = mesh.tets.size();

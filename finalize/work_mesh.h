@@ -26,6 +26,8 @@ enum class Hold : char {
   /// Nothing that needs its star: its tetrahedra do not hang together by faces (parts that touch at a vertex
   /// or an edge), or others that are not given hold on to it.
   kFrozen,
+  /// It is frozen, but nothing that is not given joins it and what goes into it by a collapse.
+  kAlone,
 };
 
 /// Structure of arrays; local numbering as drawn in mesh/tet_mesh.h.
@@ -63,7 +65,7 @@ struct WorkMesh {
   [[nodiscard]] bool alive(VertexId v) const { return tet_of[v].valid(); }
   [[nodiscard]] const Vec3& point(TetId t, int corner) const { return points[tets[t][corner]]; }
   [[nodiscard]] bool held(VertexId v) const { return hold[v] != Hold::kFree; }  ///< or frozen
-  [[nodiscard]] bool frozen(VertexId v) const { return hold[v] == Hold::kFrozen; }
+  [[nodiscard]] bool frozen(VertexId v) const { return hold[v] >= Hold::kFrozen; }
   [[nodiscard]] bool on_boundary(VertexId v) const { return on[v].dim < 3; }
 
   // Scratch for walks: what carries the current epoch has been seen.
@@ -109,6 +111,8 @@ void remove_piece(WorkMesh& mesh, VertexId a, VertexId b);
 /// Requires the invariants of Mesh, but for faces of three fixed vertices that have one tetrahedron and are
 /// no triangles. The first `fixed` vertices are frozen. Vertex and tetrahedron numbers are kept. O(n log n).
 [[nodiscard]] WorkMesh to_work_mesh(const Mesh& mesh, std::size_t fixed = 0);
+/// Makes those of the first `alone` vertices Hold::kAlone whose tetrahedra hang together by faces.
+void release_alone(WorkMesh& mesh, std::size_t alone);
 /// Live vertices and tetrahedra in the order of their numbers, edges and triangles sorted by (tag, vertices).
 [[nodiscard]] Mesh to_mesh(const WorkMesh& work);
 

@@ -25,6 +25,7 @@ struct Workshop {
       : Workshop(to_work_mesh(given, the_options.fixed_vertices), the_model, the_options) {
     for (const Mesh::Index v : the_options.held)
       if (Hold& hold = mesh.hold[VertexId(v)]; hold == Hold::kFree) hold = Hold::kOnBoundary;
+    release_alone(mesh, the_options.alone);
   }
 
   WorkMesh mesh;

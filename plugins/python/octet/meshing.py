@@ -131,7 +131,7 @@ def mesh(
     progress    called with (stage, fraction) as stages begin; what it raises ends the run
     time_limit  seconds; then the run is cancelled
     options     any other option of `octet mesh` in its own words: wall_elements=2, unit="m", cap=True,
-                group={"fixed": "Face1,Face7-9"}, periodic=["x", "Face3=Face4"]
+                group={"fixed": "Face1,Face7-9"}, periodic=["x", "Face3=Face4"], layers="wall*=0.02,6"
 
     OctetError when there is no mesh: the text says why, with the CAD entity at fault.
     """
