@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <string>
@@ -50,6 +51,17 @@ std::vector<double> heights_of(const LayerRequest& request) {
   return heights;
 }
 
+/// At most: three to each triangle of a wall and layer.
+std::size_t elements_of_layers(const Mesh& mesh, const Model& model, const std::vector<LayerWish>& wishes) {
+  std::vector<bool> is_wall(static_cast<std::size_t>(model.count(2)) + 1, false);
+  for (const LayerWish& wish : wishes)
+    for (const int face : wish.faces) is_wall[static_cast<std::size_t>(face)] = true;
+  const auto triangles = static_cast<std::size_t>(
+      std::count_if(mesh.triangle_on.begin(), mesh.triangle_on.end(),
+                    [&](std::int32_t face) { return is_wall[static_cast<std::size_t>(face)]; }));
+  return 3 * triangles * wishes.front().heights.size();
+}
+
 std::string note_of(const LayerReport& report) {
   if (report.nodes == 0)
     return "there are no layers: nowhere on the faces asked for do the elements leave room for them";
@@ -62,8 +74,9 @@ std::string note_of(const LayerReport& report) {
         report.thinner, report.nodes, report.least, place_text(report.least_at));
   if (report.bare > 0)
     note += fmt::format(
-        "{}layers thin out to nothing at {} nodes of the walls, where walls of other directions "
-        "meet or an edge of theirs ends",
+        "{}layers thin out to nothing at {} nodes of the walls: where walls of very other directions meet, "
+        "an edge "
+        "of theirs ends, or the elements beyond leave no room",
         note.empty() ? "" : "; ", report.bare);
   return note;
 }
@@ -137,12 +150,18 @@ std::vector<LayerWish> layer_wishes(const Model& model, const std::vector<LayerR
 }
 
 void grow_layers(MeshResult& result, const Model& model, const std::vector<LayerWish>& wishes,
-                 const std::function<bool()>& cancelled, Observer& observer) {
+                 std::size_t max_elements, const std::function<bool()>& cancelled, Observer& observer) {
   MeshReport& report = result.report;
   if (!report.faults.empty()) {
     report.notes.push_back("there are no layers, for the mesh has faults");
     return;
   }
+  const std::size_t elements = result.mesh.tets.size() + elements_of_layers(result.mesh, model, wishes);
+  if (elements > max_elements)
+    throw LimitError(
+        fmt::format("with layers there would be about {:.2g} elements, more than the limit of {}; ask "
+                    "for fewer layers, or a larger size{}",
+                    static_cast<double>(elements), max_elements, or_raise(max_elements)));
   StageClock clock;
   observer.stage("layers", 0.99);
   LayerOptions options;

@@ -19,8 +19,9 @@ namespace octet {
                                                   const std::vector<LayerRequest>& requests);
 
 /// Puts layers into a mesh (finalize/layers.h), judges it again, and tells in the report what came of them. A
-/// mesh with faults is left as it is, which a note tells.
+/// mesh with faults is left as it is, which a note tells. LimitError where there would be more than
+/// `max_elements`.
 void grow_layers(MeshResult& result, const Model& model, const std::vector<LayerWish>& wishes,
-                 const std::function<bool()>& cancelled, Observer& observer);
+                 std::size_t max_elements, const std::function<bool()>& cancelled, Observer& observer);
 
 }  // namespace octet

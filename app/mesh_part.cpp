@@ -78,7 +78,8 @@ MeshResult mesh_part(const Model& model, const MeshOptions& options, Observer& o
                                            : mesh_by_default(frame.model(), frame.options(), mesh, &memo);
   });
   if (!layers.empty())
-    arena.execute([&] { grow_layers(result, model, layers, watched.cancelled, observer); });
+    arena.execute(
+        [&] { grow_layers(result, model, layers, options.max_elements, watched.cancelled, observer); });
   if (options.order == 2) {
     arena.execute([&] { raise_order(result, model, observer); });
     if (!periodicity.empty()) match_again(result, model, periodicity);

@@ -7,8 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <set>
-#include <unordered_set>
 #include <utility>
 
 #include "base/check.h"
@@ -141,19 +139,20 @@ class LayerMaker {
 
   /// What is of walls alone is no longer the mesh's, and what goes along them is noted.
   void leave_walls() {
-    std::set<std::array<Index, 2>> sides;
+    std::vector<std::array<Index, 2>> sides;
     for (const std::uint32_t t : walls_.triangles) {
       const Triangle& v = mesh_.triangles[t];
       wall_triangles_.push_back({v, walls_.inwards(mesh_, model_, t), mesh_.triangle_on[t]});
-      for (std::size_t i = 0; i < 3; ++i) sides.insert(sorted_side(v[i], v[(i + 1) % 3]));
+      for (std::size_t i = 0; i < 3; ++i) sides.push_back(sorted_side(v[i], v[(i + 1) % 3]));
     }
+    std::sort(sides.begin(), sides.end());
     std::size_t kept = 0;
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
       const Triangle v = mesh_.triangles[t];
       const std::int32_t face = mesh_.triangle_on[t];
       if (walls_.is_wall(face)) continue;
       for (std::size_t i = 0; i < 3; ++i)
-        if (sides.count(sorted_side(v[i], v[(i + 1) % 3])) != 0)
+        if (std::binary_search(sides.begin(), sides.end(), sorted_side(v[i], v[(i + 1) % 3])))
           strips_.push_back({{v[i], v[(i + 1) % 3]}, face});
       mesh_.triangles[kept] = v;
       mesh_.triangle_on[kept++] = face;
@@ -224,29 +223,41 @@ class LayerMaker {
                                                    thickness(columns[i]));
     }
     const std::vector<double> asked = wanted;
+    std::vector<double> last(n, -1.0);  // shares that were looked at
     for (int round = 0; round < kMostRounds; ++round) {
       if (options_.cancelled && options_.cancelled()) throw Cancelled();
       even_out(had, wanted);
+      std::vector<bool> back(n, false), is_new(n, false);
       for (std::size_t i = 0; i < n; ++i) {
-        columns[i].share = wanted[i];
+        if (wanted[i] == last[i]) continue;
+        is_new[i] = true;
+        last[i] = columns[i].share = wanted[i];
         top[columns[i].vertex] = place(columns[i], levels_);
       }
-      std::vector<bool> back(n, false);
+      // What has not changed since is as it was: good.
+      const auto is_asked = [&](const auto& vertices) {
+        return std::any_of(vertices.begin(), vertices.end(), [&](Index v) {
+          const std::int32_t c = number(v);
+          return c >= 0 && is_new[static_cast<std::size_t>(c)];
+        });
+      };
       const auto mark = [&](const auto& vertices) {
         for (const Index v : vertices)
           if (const std::int32_t c = number(v); c >= 0) back[static_cast<std::size_t>(c)] = true;
       };
       for (std::size_t i = 0; i < star_.size(); ++i) {
         const Tet& v = mesh_.tets[star_[i]];
+        if (!is_asked(v)) continue;
         const double now = least_angle(v);
         if (now <= 0.0 || now < std::min(kLeastAngle, angle[i])) mark(v);
       }
       for (const std::uint32_t t : beside_)
-        if (is_turned(mesh_.triangle_on[t], mesh_.triangles[t], top)) mark(mesh_.triangles[t]);
+        if (is_asked(mesh_.triangles[t]) && is_turned(mesh_.triangle_on[t], mesh_.triangles[t], top))
+          mark(mesh_.triangles[t]);
       for (const WallTriangle& wall : wall_triangles_)
-        if (!is_sound_prism(wall.inwards)) mark(wall.inwards);
+        if (is_asked(wall.inwards) && !is_sound_prism(wall.inwards)) mark(wall.inwards);
       for (const Strip& strip : strips_)
-        if (!is_sound_strip(strip)) mark(strip.side);
+        if (is_asked(strip.side) && !is_sound_strip(strip)) mark(strip.side);
       bool any = false;
       for (std::size_t i = 0; i < n; ++i) {
         if (!back[i] || wanted[i] <= had[i]) continue;
@@ -468,9 +479,9 @@ class LayerMaker {
     };
     std::vector<double> beyond = volume_;  // all have what they had, layers included
     Mesh rest;
-    std::unordered_set<std::uint64_t> edges;
-    std::set<Triangle> faces;
-    const auto key = [](Index a, Index b) { return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b); };
+    std::vector<std::array<Index, 2>> edges;  // of tetrahedra inside, such as may be on the model's
+    std::vector<Triangle> faces;
+    const auto is_on = [&](Index v, int dim) { return mesh_.point_on[v].dim <= dim; };
     for (std::size_t t = 0; t < mesh_.tets.size(); ++t) {
       const Tet& v = mesh_.tets[t];
       if (!inside[t]) {
@@ -481,25 +492,30 @@ class LayerMaker {
       beyond[static_cast<std::size_t>(mesh_.tet_in[t])] -= volume_of(v);
       part.tets.push_back(numbered(v));
       part.tet_in.push_back(mesh_.tet_in[t]);
-      for (const auto& e : kTetEdge)
-        edges.insert(key(v[static_cast<std::size_t>(e[0])], v[static_cast<std::size_t>(e[1])]));
+      for (const auto& e : kTetEdge) {
+        const Index a = v[static_cast<std::size_t>(e[0])], b = v[static_cast<std::size_t>(e[1])];
+        if (is_on(a, 1) && is_on(b, 1)) edges.push_back(sorted_side(a, b));
+      }
       for (const auto& f : kTetFace) {
         Triangle face;
         for (std::size_t i = 0; i < 3; ++i) face[i] = v[static_cast<std::size_t>(f[i])];
+        if (!std::all_of(face.begin(), face.end(), [&](Index i) { return is_on(i, 2); })) continue;
         std::sort(face.begin(), face.end());
-        faces.insert(face);
+        faces.push_back(face);
       }
     }
+    std::sort(edges.begin(), edges.end());
+    std::sort(faces.begin(), faces.end());
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
       Triangle face = mesh_.triangles[t];
       std::sort(face.begin(), face.end());
-      const bool own = faces.count(face) != 0;
+      const bool own = std::binary_search(faces.begin(), faces.end(), face);
       (own ? part : rest).triangles.push_back(own ? numbered(mesh_.triangles[t]) : mesh_.triangles[t]);
       (own ? part : rest).triangle_on.push_back(mesh_.triangle_on[t]);
     }
     for (std::size_t e = 0; e < mesh_.edges.size(); ++e) {
       const auto& v = mesh_.edges[e];
-      const bool own = edges.count(key(v[0], v[1])) != 0;
+      const bool own = std::binary_search(edges.begin(), edges.end(), sorted_side(v[0], v[1]));
       (own ? part : rest).edges.push_back(own ? numbered(v) : v);
       (own ? part : rest).edge_on.push_back(mesh_.edge_on[e]);
     }

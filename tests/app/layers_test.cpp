@@ -151,6 +151,11 @@ TEST(Layers, WordsThatMeanNothingAreRefused) {
   EXPECT_THROW((void)wishes({face_word(boxes, Vec3(1.0, 0.5, 0.5)) + "=1,2"}), InputError);
   MeshOptions options;
   options.layers.push_back(parse_layers("Face1=0.1,2"));
+  options.size = 0.3;
+  options.max_elements = 5000;
+  EXPECT_EQ(mesh_part(analytic_box(Vec3(1.0, 1.0, 1.0)), options).report.status, MeshStatus::kComplete);
+  options.layers = {parse_layers("Face:*=0.001,50")};
+  EXPECT_THROW((void)mesh_part(analytic_box(Vec3(1.0, 1.0, 1.0)), options), LimitError);
   options.order = 2;
   EXPECT_THROW((void)mesh_part(analytic_box(Vec3(1.0, 1.0, 1.0)), options), InputError);
 }
