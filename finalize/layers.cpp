@@ -131,7 +131,7 @@ class LayerMaker {
     return own != nullptr && own->share > 0.0;
   }
 
-  /// Where the vertex of a column is once its walls have been left by `height`, the last of which is `level`.
+  /// Where a column is at a level, 0 on the wall.
   [[nodiscard]] Vec3 place(const LayerColumn& c, std::size_t level) const {
     if (level == 0 || c.share == 0.0) return old_points_[c.vertex];
     return c.way.at(c.share * options_.wishes[c.wish].heights[level - 1]);
@@ -466,15 +466,15 @@ class LayerMaker {
           ++ranked[r];
         }
     const std::size_t fixed_count = ranked[0] + ranked[1];
-    std::vector<Index> number(count, UINT32_MAX);
+    std::vector<Index> renumbered(count, UINT32_MAX);
     Mesh part;
     for (const Index v : order) {
-      number[v] = static_cast<Index>(part.points.size());
+      renumbered[v] = static_cast<Index>(part.points.size());
       part.points.push_back(mesh_.points[v]);
       part.point_on.push_back(mesh_.point_on[v]);
     }
     const auto numbered = [&](auto v) {
-      for (Index& i : v) i = number[i];
+      for (Index& i : v) i = renumbered[i];
       return v;
     };
     std::vector<double> beyond = volume_;  // all have what they had, layers included
@@ -564,13 +564,13 @@ class LayerMaker {
     append(mesh_.triangle_on, layers.triangle_on);
     append(mesh_.edges, layers.edges);
     append(mesh_.edge_on, layers.edge_on);
-    std::vector<Index> number(mesh_.points.size(), UINT32_MAX);
+    std::vector<Index> renumbered(mesh_.points.size(), UINT32_MAX);
     for (const Tet& v : mesh_.tets)
-      for (const Index i : v) number[i] = 0;
+      for (const Index i : v) renumbered[i] = 0;
     Index next = 0;
-    for (std::size_t v = 0; v < number.size(); ++v) {
-      if (number[v] == UINT32_MAX) continue;
-      number[v] = next;
+    for (std::size_t v = 0; v < renumbered.size(); ++v) {
+      if (renumbered[v] == UINT32_MAX) continue;
+      renumbered[v] = next;
       mesh_.points[next] = mesh_.points[v];
       mesh_.point_on[next++] = mesh_.point_on[v];
     }
@@ -578,7 +578,7 @@ class LayerMaker {
     mesh_.point_on.resize(next);
     const auto renumber = [&](auto& elements) {
       for (auto& v : elements)
-        for (Index& i : v) i = number[i];
+        for (Index& i : v) i = renumbered[i];
     };
     renumber(mesh_.tets);
     renumber(mesh_.triangles);
