@@ -96,9 +96,8 @@ LayerRequest parse_layers(std::string_view text, double unit) {
       words.emplace_back();
     else
       words.back() += c;
-  constexpr double kUsualGrowth = 1.2;
   const double height = number_of(words[0]), count = words.size() > 1 ? number_of(words[1]) : 0.0,
-               growth = words.size() > 2 ? number_of(words[2]) : kUsualGrowth;
+               growth = words.size() > 2 ? number_of(words[2]) : request.growth;
   if (words.size() > 3 || !(height > 0.0))
     throw refusal(text, "the height of the first layer must be a positive number");
   if (!(count >= 1.0 && count <= kMostLayers && count == std::floor(count)))

@@ -16,6 +16,7 @@
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/exit_code.h"
+#include "app/failure.h"
 #include "app/heap.h"
 #include "app/mesh_words.h"
 #include "app/reading_options.h"
@@ -53,16 +54,9 @@ int guarded(const Run& run) {
     // What was printed may sit in a buffer that a full disk or a closed pipe cannot take.
     if (std::fflush(stdout) != 0) return complain("cannot write to standard output", kExitBadInput);
     return code;
-  } catch (const Cancelled& error) {
-    return complain(error.what(), kExitFailed);
-  } catch (const Bug& error) {
-    return complain(error.what(), kExitFailed);
-  } catch (const Error& error) {
-    return complain(error.what(), kExitBadInput);
-  } catch (const std::bad_alloc&) {
-    return complain("out of memory; ask for a larger --size", kExitFailed);
-  } catch (const std::exception& error) {
-    return complain(std::string("internal error: ") + error.what(), kExitFailed);
+  } catch (...) {
+    const Failure failure = failure_of(std::current_exception());
+    return complain(failure.text, failure.code);
   }
 }
 

@@ -270,15 +270,15 @@ MeshResult mesh_periodic(const OwnFrame& frame, const MeshOptions& options, cons
     take_match(result, frame.part(), periodicity);
     const MeshReport& report = result.report;
     const bool fits = report.acceptance.holds(kPeriodicClaim);
-    if (!fits && making + 1 < kMakings) {
-      observer.note("periodic faces do not fit yet: once more with the points there given");
+    if ((!fits || making == 0) && making + 1 < kMakings) {
+      observer.note("periodic faces: once more with the points there given");
       Giver giver(result.mesh, frame.part(), periodicity);
       const bool is_new = making <= 1 || giver.has_all(seeds.given);
       seeds.given = giver.run(is_new ? std::optional(making) : std::nullopt, making > 0);
       turn_over(seeds.given, frame);
     }
     if (!best || report.faults.size() <= best->report.faults.size()) best = std::move(result);
-    if (fits) break;
+    if (fits && making > 0) break;  // the first is quick, and there for its points
   }
   return *std::move(best);
 }

@@ -22,6 +22,7 @@
 #include "app/at_place.h"
 #include "app/entity_shapes.h"
 #include "app/exit_code.h"
+#include "app/failure.h"
 #include "app/info_json.h"
 #include "app/mesh_request.h"
 #include "app/mesh_words.h"
@@ -30,6 +31,7 @@
 #include "app/summary.h"
 #include "base/error.h"
 #include "geom/occt/read_part.h"
+#include "io/msh_entities.h"
 #include "io/write.h"
 
 static_assert(int{OCTET_COMPLETE} == octet::kExitComplete && int{OCTET_BAD_INPUT} == octet::kExitBadInput &&
@@ -64,21 +66,11 @@ template <class Run>
 int guarded(const Run& run) {
   try {
     return run();
-  } catch (const Cancelled& error) {
-    last_error = error.what();
-  } catch (const Bug& error) {
-    last_error = error.what();
-  } catch (const Error& error) {
-    last_error = error.what();
-    return OCTET_BAD_INPUT;
-  } catch (const std::bad_alloc&) {
-    last_error = "out of memory; ask for a larger size";
-  } catch (const std::exception& error) {
-    last_error = std::string("internal error: ") + error.what();
   } catch (...) {
-    last_error = "internal error";
+    Failure failure = failure_of(std::current_exception());
+    last_error = std::move(failure.text);
+    return failure.code;
   }
-  return OCTET_FAILED;
 }
 
 /// The caller's function, called from its own thread alone.
@@ -131,46 +123,27 @@ std::vector<std::string> words_of(const char* const* words, std::size_t count) {
   return all;
 }
 
-void add_elements(octet_mesh::Elements& elements, int nodes, const std::vector<std::int32_t>& tags) {
-  elements.nodes = nodes;
-  elements.tags = tags;
-  elements.connectivity.reserve(static_cast<std::size_t>(nodes) * tags.size());
-}
-
-/// In the order of VTK and Abaqus.
 void fill_arrays(octet_mesh& mesh) {
-  constexpr std::array<std::size_t, 6> kTetMid{0, 3, 1, 2, 4, 5};
   const Mesh& from = mesh.made.result.mesh;
-  const bool second = !from.mid.empty();
-  const auto corners = static_cast<std::uint32_t>(from.points.size());
-  for (const auto* points : {&from.points, &from.mid.points})
-    for (const Vec3& p : *points)
-      for (const double x : p) mesh.coordinates.push_back(x * mesh.scale);
-  for (const auto* entities : {&from.point_on, &from.mid.on})
-    for (const ModelRef on : *entities) {
-      mesh.node_entities.push_back(on.dim);
-      mesh.node_entities.push_back(on.tag);
+  const auto nodes = static_cast<std::uint32_t>(node_count(from));
+  for (std::uint32_t node = 0; node < nodes; ++node) {
+    for (const double x : node_point(from, node)) mesh.coordinates.push_back(x * mesh.scale);
+    const ModelRef on = node_entity(from, node);
+    mesh.node_entities.push_back(on.dim);
+    mesh.node_entities.push_back(on.tag);
+  }
+  mesh.elements[1].tags = from.edge_on;
+  mesh.elements[2].tags = from.triangle_on;
+  mesh.elements[3].tags = from.tet_in;
+  const ElementGroups none;  // vertices alone are asked of groups
+  for (int dim = 1; dim <= 3; ++dim) {
+    octet_mesh::Elements& elements = mesh.elements[static_cast<std::size_t>(dim)];
+    for (std::uint32_t i = 0; i < elements.tags.size(); ++i) {
+      std::uint64_t own[kMostNodes];
+      elements.nodes = element_nodes(from, none, dim, i, own, kVtkTetMid);
+      for (int k = 0; k < elements.nodes; ++k)
+        elements.connectivity.push_back(static_cast<std::uint32_t>(own[k] - 1));
     }
-  auto& [none, edges, triangles, tets] = mesh.elements;
-  add_elements(edges, second ? 3 : 2, from.edge_on);
-  add_elements(triangles, second ? 6 : 3, from.triangle_on);
-  add_elements(tets, second ? 10 : 4, from.tet_in);
-  const auto append = [](octet_mesh::Elements& to, const auto& nodes) {
-    to.connectivity.insert(to.connectivity.end(), nodes.begin(), nodes.end());
-  };
-  for (std::size_t e = 0; e < from.edges.size(); ++e) {
-    append(edges, from.edges[e]);
-    if (second) edges.connectivity.push_back(corners + from.mid.of_edges[e]);
-  }
-  for (std::size_t t = 0; t < from.triangles.size(); ++t) {
-    append(triangles, from.triangles[t]);
-    if (second)
-      for (const std::uint32_t m : from.mid.of_triangles[t]) triangles.connectivity.push_back(corners + m);
-  }
-  for (std::size_t t = 0; t < from.tets.size(); ++t) {
-    append(tets, from.tets[t]);
-    if (second)
-      for (const std::size_t m : kTetMid) tets.connectivity.push_back(corners + from.mid.of_tets[t][m]);
   }
 }
 
