@@ -39,9 +39,9 @@ struct FinalizeOptions {
   /// The first so many vertices stay where they are and keep their numbers: tetrahedra that are not given
   /// here hold on to them, beyond faces that have one tetrahedron and are no triangles.
   std::size_t fixed_vertices = 0;
-  /// Of these the first so many hold on to nothing that could come to be joined with a neighbour of theirs once
-  /// more: collapses may go to them. Not in blocks.
-  std::size_t alone = 0;
+  /// Those of them that hold on to nothing that could come to be joined with a neighbour of theirs once more:
+  /// collapses may go to them. Not in blocks.
+  std::vector<Mesh::Index> alone;
   /// Boundary vertices that stay where they are, and so do the boundary's triangles between them.
   std::vector<Mesh::Index> held;
   std::vector<double> volume_beyond;  ///< of what is not given, per region tag; empty: nothing

@@ -83,7 +83,7 @@ struct Task {
     options = of_all;
     options.volume_beyond.clear();  // the account has it
     options.fixed_vertices = block.fixed;
-    options.alone = 0;  // those of a block come in another order
+    options.alone.clear();
     options.held.resize(block.held);
     std::iota(options.held.begin(), options.held.end(), static_cast<Mesh::Index>(block.fixed));
     shop = std::make_unique<Workshop>(block.mesh, model, options);

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
+#include <utility>
 
 namespace octet {
 namespace {
@@ -61,15 +63,13 @@ std::array<Mesh::Index, 3> LayerWalls::inwards(const Mesh& mesh, const Model& mo
 
 LayerWalls::LayerWalls(const Mesh& mesh, const Model& model, const std::vector<LayerWish>& wishes)
     : wish_of_face(static_cast<std::size_t>(model.count(2)) + 1, -1),
-      wall_edge(static_cast<std::size_t>(model.count(1)) + 1, false),
-      column_of(mesh.points.size(), -1) {
+      wall_edge(static_cast<std::size_t>(model.count(1)) + 1, false) {
   for (std::size_t w = 0; w < wishes.size(); ++w)
     for (const int f : wishes[w].faces) {
       wish_of_face[static_cast<std::size_t>(f)] = static_cast<std::int32_t>(w);
       for (const FaceBoundary& side : model.face(f).boundary)
         wall_edge[static_cast<std::size_t>(side.edge)] = true;
     }
-  std::map<Mesh::Index, LayerColumn> found;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     if (!is_wall(mesh.triangle_on[t])) continue;
     triangles.push_back(t);
@@ -78,17 +78,13 @@ LayerWalls::LayerWalls(const Mesh& mesh, const Model& model, const std::vector<L
         (mesh.points[v[1]] - mesh.points[v[0]]).cross(mesh.points[v[2]] - mesh.points[v[0]]).normalized();
     const auto wish = static_cast<std::size_t>(wish_of_face[static_cast<std::size_t>(mesh.triangle_on[t])]);
     for (const Mesh::Index i : v) {
-      LayerColumn& column = found[i];
+      if (i >= columns.size()) columns.resize(i + 1);
+      LayerColumn& column = columns[i];
       column.normals.push_back(normal);
       // Where two meet the thinner prevails.
       if (column.normals.size() == 1 || wishes[wish].heights.back() < wishes[column.wish].heights.back())
         column.wish = wish;
     }
-  }
-  for (auto& [v, column] : found) {
-    column.vertex = v;
-    column_of[v] = static_cast<std::int32_t>(columns.size());
-    columns.push_back(std::move(column));
   }
   // What else each is on: faces that are no walls, and edges that go inwards.
   std::vector<std::set<int>> faces(columns.size());
@@ -96,21 +92,20 @@ LayerWalls::LayerWalls(const Mesh& mesh, const Model& model, const std::vector<L
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     if (!is_wall(mesh.triangle_on[t]))
       for (const Mesh::Index v : mesh.triangles[t])
-        if (column_of[v] >= 0) faces[static_cast<std::size_t>(column_of[v])].insert(mesh.triangle_on[t]);
+        if (v < columns.size()) faces[v].insert(mesh.triangle_on[t]);
   for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
     if (wall_edge[static_cast<std::size_t>(mesh.edge_on[e])]) continue;
     for (int end = 0; end < 2; ++end) {
       const Mesh::Index v = mesh.edges[e][static_cast<std::size_t>(end)],
                         other = mesh.edges[e][static_cast<std::size_t>(1 - end)];
-      if (column_of[v] >= 0)
-        edges[static_cast<std::size_t>(column_of[v])].emplace_back(
-            mesh.edge_on[e], (mesh.points[other] - mesh.points[v]).normalized());
+      if (v < columns.size())
+        edges[v].emplace_back(mesh.edge_on[e], (mesh.points[other] - mesh.points[v]).normalized());
     }
   }
   constexpr double kLeastCosine = 0.3;  // else the way goes along a wall
   for (std::size_t c = 0; c < columns.size(); ++c) {
     LayerColumn& column = columns[c];
-    const Vec3 from = mesh.points[column.vertex];
+    const Vec3 from = mesh.points[c];
     auto along = LayerWay::Along::kNothing;
     int tag = 0;
     Vec3 direction = away_from(column.normals);
@@ -137,6 +132,34 @@ LayerWalls::LayerWalls(const Mesh& mesh, const Model& model, const std::vector<L
     }
     column.way = LayerWay(model, from, along, tag, direction, 1.0 / cosine);
   }
+}
+
+void put_walls_first(Mesh& mesh, const std::vector<LayerWish>& wishes) {
+  std::set<int> walls;
+  for (const LayerWish& wish : wishes) walls.insert(wish.faces.begin(), wish.faces.end());
+  std::vector<bool> first(mesh.points.size(), false);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    if (walls.count(mesh.triangle_on[t]) != 0)
+      for (const Mesh::Index v : mesh.triangles[t]) first[v] = true;
+  std::vector<Mesh::Index> order(mesh.points.size()), number(mesh.points.size());
+  std::iota(order.begin(), order.end(), Mesh::Index{0});
+  std::stable_partition(order.begin(), order.end(), [&](Mesh::Index v) { return first[v]; });
+  std::vector<Vec3> points;
+  std::vector<ModelRef> on;
+  for (const Mesh::Index v : order) {
+    number[v] = static_cast<Mesh::Index>(points.size());
+    points.push_back(mesh.points[v]);
+    on.push_back(mesh.point_on[v]);
+  }
+  mesh.points = std::move(points);
+  mesh.point_on = std::move(on);
+  const auto renumber = [&](auto& elements) {
+    for (auto& element : elements)
+      for (Mesh::Index& v : element) v = number[v];
+  };
+  renumber(mesh.tets);
+  renumber(mesh.triangles);
+  renumber(mesh.edges);
 }
 
 }  // namespace octet

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstdint>
-#include <map>
 #include <vector>
 
 #include "finalize/layers.h"
@@ -36,24 +35,22 @@ class LayerWay {
   bool bent_ = false;  ///< the face is no plane
 };
 
-/// A vertex of a wall.
+/// What becomes of a vertex of a wall.
 struct LayerColumn {
-  Mesh::Index vertex = 0;
   std::size_t wish = 0;
   LayerWay way;
   double share = 1.0;         ///< of the heights asked for; 0: it stays
   std::vector<Vec3> normals;  ///< of the triangles of walls there, inwards
 };
 
-/// What of a mesh is wall.
+/// What of a mesh is wall. Its vertices on walls are its first: see put_walls_first().
 struct LayerWalls {
   LayerWalls(const Mesh& mesh, const Model& model, const std::vector<LayerWish>& wishes);
 
   std::vector<std::int32_t> wish_of_face;  ///< per face tag: its number; -1: it is no wall
   std::vector<bool> wall_edge;             ///< per edge tag: in the closure of a wall
   std::vector<std::uint32_t> triangles;    ///< of walls
-  std::vector<std::int32_t> column_of;     ///< per vertex; -1: on no wall
-  std::vector<LayerColumn> columns;        ///< ascending by vertex
+  std::vector<LayerColumn> columns;        ///< of the mesh's first vertices
 
   [[nodiscard]] bool is_wall(std::int32_t face) const {
     return wish_of_face[static_cast<std::size_t>(face)] >= 0;
@@ -62,5 +59,8 @@ struct LayerWalls {
   [[nodiscard]] std::array<Mesh::Index, 3> inwards(const Mesh& mesh, const Model& model,
                                                    std::uint32_t triangle) const;
 };
+
+/// Gives the vertices on the wishes' faces the first numbers, in their order; others follow in theirs.
+void put_walls_first(Mesh& mesh, const std::vector<LayerWish>& wishes);
 
 }  // namespace octet

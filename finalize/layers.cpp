@@ -14,7 +14,7 @@
 #include "base/predicates.h"
 #include "finalize/finalize.h"
 #include "finalize/layer_columns.h"
-#include "mesh/tet_mesh.h"
+#include "finalize/mesh_blocks.h"
 
 namespace octet {
 namespace {
@@ -68,10 +68,12 @@ class LayerMaker {
         observer_(observer),
         walls_(mesh, model, options.wishes),
         levels_(options.wishes.front().heights.size()),
-        old_points_(mesh.points),
+        old_points_(mesh.points.begin(),
+                    mesh.points.begin() + static_cast<std::ptrdiff_t>(walls_.columns.size())),
+        old_on_(mesh.point_on.begin(),
+                mesh.point_on.begin() + static_cast<std::ptrdiff_t>(walls_.columns.size())),
         volume_(static_cast<std::size_t>(model.count(3)) + 1, 0.0),
         region_of_column_(walls_.columns.size(), 0) {
-    for (const LayerColumn& c : walls_.columns) old_on_.push_back(mesh.point_on[c.vertex]);
     for (std::size_t t = 0; t < mesh.tets.size(); ++t)
       volume_[static_cast<std::size_t>(mesh.tet_in[t])] += volume_of(mesh.tets[t]);
   }
@@ -118,22 +120,19 @@ class LayerMaker {
   [[nodiscard]] double volume_of(const Tet& v) const {
     return signed_volume(mesh_.points[v[0]], mesh_.points[v[1]], mesh_.points[v[2]], mesh_.points[v[3]]);
   }
-  /// The number of a vertex's column; -1: it has none, as what finalization has made since.
-  [[nodiscard]] std::int32_t number(Index v) const {
-    return v < walls_.column_of.size() ? walls_.column_of[v] : -1;
-  }
+  /// None for a vertex that is on no wall.
   [[nodiscard]] const LayerColumn* column(Index v) const {
-    const std::int32_t c = number(v);
-    return c < 0 ? nullptr : &walls_.columns[static_cast<std::size_t>(c)];
+    return v < walls_.columns.size() ? &walls_.columns[v] : nullptr;
   }
   [[nodiscard]] bool moves(Index v) const {
     const LayerColumn* own = column(v);
     return own != nullptr && own->share > 0.0;
   }
 
-  /// Where a column is at a level, 0 on the wall.
-  [[nodiscard]] Vec3 place(const LayerColumn& c, std::size_t level) const {
-    if (level == 0 || c.share == 0.0) return old_points_[c.vertex];
+  /// Where the column of a vertex is at a level, 0 on the wall.
+  [[nodiscard]] Vec3 place(std::size_t v, std::size_t level) const {
+    const LayerColumn& c = walls_.columns[v];
+    if (level == 0 || c.share == 0.0) return old_points_[v];
     return c.way.at(c.share * options_.wishes[c.wish].heights[level - 1]);
   }
 
@@ -178,8 +177,7 @@ class LayerMaker {
     mesh_.edge_on.resize(kept);
     for (std::size_t t = 0; t < mesh_.tets.size(); ++t)
       for (const Index v : mesh_.tets[t])
-        if (walls_.column_of[v] >= 0)
-          region_of_column_[static_cast<std::size_t>(walls_.column_of[v])] = mesh_.tet_in[t];
+        if (v < region_of_column_.size()) region_of_column_[v] = mesh_.tet_in[t];
     for (LayerColumn& c : walls_.columns) {
       may_move_.push_back(c.share > 0.0);
       moved_.push_back(false);
@@ -217,10 +215,10 @@ class LayerMaker {
     for (std::size_t i = 0; i < star_.size(); ++i) angle[i] = least_angle(mesh_.tets[star_[i]]);
     for (std::size_t i = 0; i < n; ++i) {
       had[i] = columns[i].share;
-      wanted[i] = !may_move_[i]
-                      ? had[i]
-                      : std::min(1.0, had[i] + kStep * options_.size_at(old_points_[columns[i].vertex]) /
-                                                   thickness(columns[i]));
+      wanted[i] =
+          !may_move_[i]
+              ? had[i]
+              : std::min(1.0, had[i] + kStep * options_.size_at(old_points_[i]) / thickness(columns[i]));
     }
     const std::vector<double> asked = wanted;
     std::vector<double> last(n, -1.0);  // shares that were looked at
@@ -232,18 +230,15 @@ class LayerMaker {
         if (wanted[i] == last[i]) continue;
         is_new[i] = true;
         last[i] = columns[i].share = wanted[i];
-        top[columns[i].vertex] = place(columns[i], levels_);
+        top[i] = place(i, levels_);
       }
       // What has not changed since is as it was: good.
       const auto is_asked = [&](const auto& vertices) {
-        return std::any_of(vertices.begin(), vertices.end(), [&](Index v) {
-          const std::int32_t c = number(v);
-          return c >= 0 && is_new[static_cast<std::size_t>(c)];
-        });
+        return std::any_of(vertices.begin(), vertices.end(), [&](Index v) { return v < n && is_new[v]; });
       };
       const auto mark = [&](const auto& vertices) {
         for (const Index v : vertices)
-          if (const std::int32_t c = number(v); c >= 0) back[static_cast<std::size_t>(c)] = true;
+          if (v < n) back[v] = true;
       };
       for (std::size_t i = 0; i < star_.size(); ++i) {
         const Tet& v = mesh_.tets[star_[i]];
@@ -272,8 +267,8 @@ class LayerMaker {
         moved = moved || moved_[i];
         if (wanted[i] - had[i] < kStuck * (asked[i] - had[i]) || wanted[i] >= 1.0) may_move_[i] = false;
         if (!moved_[i]) continue;
-        mesh_.points[columns[i].vertex] = top[columns[i].vertex];
-        mesh_.point_on[columns[i].vertex] = on_way(i);
+        mesh_.points[i] = top[i];
+        mesh_.point_on[i] = on_way(i);
       }
       return moved;
     }
@@ -295,8 +290,7 @@ class LayerMaker {
       any = false;
       for (const WallTriangle& wall : wall_triangles_)
         for (std::size_t k = 0; k < 3; ++k) {
-          const auto a = static_cast<std::size_t>(walls_.column_of[wall.inwards[k]]);
-          const auto b = static_cast<std::size_t>(walls_.column_of[wall.inwards[(k + 1) % 3]]);
+          const Index a = wall.inwards[k], b = wall.inwards[(k + 1) % 3];
           for (const auto& [high, low] : {std::pair(a, b), std::pair(b, a)}) {
             const double most = std::max(had[high], kSteepest * wanted[low]);
             if (wanted[low] == 0.0 || wanted[high] <= most) continue;
@@ -325,7 +319,7 @@ class LayerMaker {
     for (std::size_t k = 1; k <= levels_ && sound; ++k)
       for (const std::size_t i : turn) {
         if (!moves(v[i])) continue;
-        const Vec3 next = place(*column(v[i]), k);
+        const Vec3 next = place(v[i], k);
         sound = sound && orient3d(level[0], level[1], level[2], next) > 0;
         level[i] = next;
       }
@@ -341,7 +335,7 @@ class LayerMaker {
     for (std::size_t k = 1; k <= levels_; ++k)
       for (const std::size_t i : turn) {
         if (!moves(strip.side[i])) continue;
-        const Vec3 next = place(*column(strip.side[i]), k);
+        const Vec3 next = place(strip.side[i], k);
         if ((level[1] - level[0]).cross(next - level[0]).dot(foot.normal) <= 0.0) return false;
         level[i] = next;
       }
@@ -349,7 +343,8 @@ class LayerMaker {
   }
 
   void tell() {
-    for (const LayerColumn& c : walls_.columns) {
+    for (std::size_t i = 0; i < walls_.columns.size(); ++i) {
+      const LayerColumn& c = walls_.columns[i];
       if (c.share == 0.0) {
         ++report_.bare;
         continue;
@@ -358,7 +353,7 @@ class LayerMaker {
       if (c.share < 1.0) ++report_.thinner;
       if (c.share < report_.least) {
         report_.least = c.share;
-        report_.least_at = old_points_[c.vertex];
+        report_.least_at = old_points_[i];
       }
     }
   }
@@ -367,21 +362,19 @@ class LayerMaker {
   void add_levels() {
     levels_of_.resize(walls_.columns.size());
     for (std::size_t i = 0; i < walls_.columns.size(); ++i) {
-      const LayerColumn& c = walls_.columns[i];
       std::vector<Index>& levels = levels_of_[i];
-      levels.assign(levels_ + 1, c.vertex);
-      if (c.share == 0.0) continue;
+      levels.assign(levels_ + 1, static_cast<Index>(i));
+      if (walls_.columns[i].share == 0.0) continue;
       for (std::size_t k = 0; k < levels_; ++k) {
         levels[k] = static_cast<Index>(mesh_.points.size());
-        mesh_.points.push_back(place(c, k));
+        mesh_.points.push_back(place(i, k));
         mesh_.point_on.push_back(k == 0 ? old_on_[i] : on_way(i));
       }
     }
   }
 
   [[nodiscard]] Index at_level(Index v, std::size_t level) const {
-    const std::int32_t c = number(v);
-    return c < 0 ? v : levels_of_[static_cast<std::size_t>(c)][level];
+    return column(v) == nullptr ? v : levels_of_[v][level];
   }
   template <std::size_t N>
   [[nodiscard]] std::array<Index, N> at_level(const std::array<Index, N>& v, std::size_t level) const {
@@ -427,135 +420,31 @@ class LayerMaker {
     return layers;
   }
 
-  /// Finalizes the elements within a few of the walls, around all that they share with others.
+  /// Finalizes the elements within a few of what has moved, around the columns and all that others share.
   void improve_beyond() {
-    constexpr int kRings = 4;
-    const std::size_t count = mesh_.points.size();
-    std::vector<std::uint8_t> ring(count, 0);
+    constexpr int kLayers = 4;
+    std::vector<Index> moved;
     for (std::size_t i = 0; i < moved_.size(); ++i)
-      if (moved_[i]) ring[walls_.columns[i].vertex] = 1;
-    std::vector<bool> inside(mesh_.tets.size(), false);
-    for (int r = 0; r < kRings; ++r) {
-      std::vector<std::uint8_t> next = ring;
-      for (std::size_t t = 0; t < mesh_.tets.size(); ++t) {
-        const Tet& v = mesh_.tets[t];
-        if (std::none_of(v.begin(), v.end(), [&](Index i) { return ring[i] != 0; })) continue;
-        inside[t] = true;
-        for (const Index i : v) next[i] = 1;
-      }
-      ring = std::move(next);
-    }
-    // Vertices of columns alone, which nothing outside joins with anything here, come first; then those of
-    // elements outside, which are fixed as well.
-    std::vector<std::uint8_t> rank(count, 2);
-    std::vector<bool> used(count, false);
-    for (std::size_t t = 0; t < mesh_.tets.size(); ++t)
-      for (const Index v : mesh_.tets[t])
-        if (inside[t])
-          used[v] = true;
-        else
-          rank[v] = 1;
-    for (const LayerColumn& c : walls_.columns)
-      if (rank[c.vertex] == 2) rank[c.vertex] = 0;
-    std::vector<Index> order;
-    std::array<std::size_t, 3> ranked{};
-    for (std::uint8_t r = 0; r < 3; ++r)
-      for (std::size_t v = 0; v < count; ++v)
-        if (used[v] && rank[v] == r) {
-          order.push_back(static_cast<Index>(v));
-          ++ranked[r];
-        }
-    const std::size_t fixed_count = ranked[0] + ranked[1];
-    std::vector<Index> renumbered(count, UINT32_MAX);
-    Mesh part;
-    for (const Index v : order) {
-      renumbered[v] = static_cast<Index>(part.points.size());
-      part.points.push_back(mesh_.points[v]);
-      part.point_on.push_back(mesh_.point_on[v]);
-    }
-    const auto numbered = [&](auto v) {
-      for (Index& i : v) i = renumbered[i];
-      return v;
-    };
-    std::vector<double> beyond = volume_;  // all have what they had, layers included
-    Mesh rest;
-    std::vector<std::array<Index, 2>> edges;  // of tetrahedra inside, such as may be on the model's
-    std::vector<Triangle> faces;
-    const auto is_on = [&](Index v, int dim) { return mesh_.point_on[v].dim <= dim; };
-    for (std::size_t t = 0; t < mesh_.tets.size(); ++t) {
-      const Tet& v = mesh_.tets[t];
-      if (!inside[t]) {
-        rest.tets.push_back(v);
-        rest.tet_in.push_back(mesh_.tet_in[t]);
-        continue;
-      }
-      beyond[static_cast<std::size_t>(mesh_.tet_in[t])] -= volume_of(v);
-      part.tets.push_back(numbered(v));
-      part.tet_in.push_back(mesh_.tet_in[t]);
-      for (const auto& e : kTetEdge) {
-        const Index a = v[static_cast<std::size_t>(e[0])], b = v[static_cast<std::size_t>(e[1])];
-        if (is_on(a, 1) && is_on(b, 1)) edges.push_back(sorted_side(a, b));
-      }
-      for (const auto& f : kTetFace) {
-        Triangle face;
-        for (std::size_t i = 0; i < 3; ++i) face[i] = v[static_cast<std::size_t>(f[i])];
-        if (!std::all_of(face.begin(), face.end(), [&](Index i) { return is_on(i, 2); })) continue;
-        std::sort(face.begin(), face.end());
-        faces.push_back(face);
-      }
-    }
-    std::sort(edges.begin(), edges.end());
-    std::sort(faces.begin(), faces.end());
-    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-      Triangle face = mesh_.triangles[t];
-      std::sort(face.begin(), face.end());
-      const bool own = std::binary_search(faces.begin(), faces.end(), face);
-      (own ? part : rest).triangles.push_back(own ? numbered(mesh_.triangles[t]) : mesh_.triangles[t]);
-      (own ? part : rest).triangle_on.push_back(mesh_.triangle_on[t]);
-    }
-    for (std::size_t e = 0; e < mesh_.edges.size(); ++e) {
-      const auto& v = mesh_.edges[e];
-      const bool own = std::binary_search(edges.begin(), edges.end(), sorted_side(v[0], v[1]));
-      (own ? part : rest).edges.push_back(own ? numbered(v) : v);
-      (own ? part : rest).edge_on.push_back(mesh_.edge_on[e]);
-    }
+      if (moved_[i]) moved.push_back(static_cast<Index>(i));
+    const std::vector<Index> near = tets_near(mesh_, moved, kLayers);
+    const MeshBlocks blocks(mesh_, walls_.columns.size(), {}, near, near.size());
+    std::vector<MeshBlock> parts{blocks.cut_out(0)};
+    MeshBlock& part = parts.front();
     FinalizeOptions given;
-    given.fixed_vertices = fixed_count;
-    given.alone = ranked[0];
-    given.volume_beyond = beyond;
+    given.fixed_vertices = part.fixed;
+    for (Index v = 0; v < part.fixed; ++v)
+      if (column(part.vertices[v]) != nullptr &&
+          !std::binary_search(blocks.rim().begin(), blocks.rim().end(), part.vertices[v]))
+        given.alone.push_back(v);
+    given.volume_beyond = volume_;  // all have what they had, layers included
+    for (const Index t : near)
+      given.volume_beyond[static_cast<std::size_t>(mesh_.tet_in[t])] -= volume_of(mesh_.tets[t]);
     given.size_at = options_.size_at;
-    finalize(part, model_, given, observer_);
-    // Back: fixed vertices have their old numbers, others new ones.
-    std::vector<Index> back(part.points.size());
-    for (std::size_t i = 0; i < back.size(); ++i) {
-      if (i < fixed_count) {
-        back[i] = order[i];
-        continue;
-      }
-      back[i] = static_cast<Index>(mesh_.points.size());
-      mesh_.points.push_back(part.points[i]);
-      mesh_.point_on.push_back(part.point_on[i]);
-    }
-    const auto append = [&](auto& to, auto& on, const auto& from, const auto& from_on) {
-      for (std::size_t i = 0; i < from.size(); ++i) {
-        auto v = from[i];
-        for (Index& k : v) k = back[k];
-        to.push_back(v);
-        on.push_back(from_on[i]);
-      }
-    };
-    append(rest.tets, rest.tet_in, part.tets, part.tet_in);
-    append(rest.triangles, rest.triangle_on, part.triangles, part.triangle_on);
-    append(rest.edges, rest.edge_on, part.edges, part.edge_on);
-    mesh_.tets = std::move(rest.tets);
-    mesh_.tet_in = std::move(rest.tet_in);
-    mesh_.triangles = std::move(rest.triangles);
-    mesh_.triangle_on = std::move(rest.triangle_on);
-    mesh_.edges = std::move(rest.edges);
-    mesh_.edge_on = std::move(rest.edge_on);
+    finalize(part.mesh, model_, given, observer_);
+    mesh_ = blocks.put_together(parts).mesh;
   }
 
-  /// Layers behind the rest, and vertices that nothing uses away.
+  /// Layers behind the rest.
   void join(const Mesh& layers) {
     const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
     append(mesh_.tets, layers.tets);
@@ -564,25 +453,6 @@ class LayerMaker {
     append(mesh_.triangle_on, layers.triangle_on);
     append(mesh_.edges, layers.edges);
     append(mesh_.edge_on, layers.edge_on);
-    std::vector<Index> renumbered(mesh_.points.size(), UINT32_MAX);
-    for (const Tet& v : mesh_.tets)
-      for (const Index i : v) renumbered[i] = 0;
-    Index next = 0;
-    for (std::size_t v = 0; v < renumbered.size(); ++v) {
-      if (renumbered[v] == UINT32_MAX) continue;
-      renumbered[v] = next;
-      mesh_.points[next] = mesh_.points[v];
-      mesh_.point_on[next++] = mesh_.point_on[v];
-    }
-    mesh_.points.resize(next);
-    mesh_.point_on.resize(next);
-    const auto renumber = [&](auto& elements) {
-      for (auto& v : elements)
-        for (Index& i : v) i = renumbered[i];
-    };
-    renumber(mesh_.tets);
-    renumber(mesh_.triangles);
-    renumber(mesh_.edges);
   }
 
   Mesh& mesh_;
@@ -591,9 +461,9 @@ class LayerMaker {
   Observer& observer_;
   LayerWalls walls_;
   std::size_t levels_;
-  std::vector<Vec3> old_points_;
-  std::vector<ModelRef> old_on_;  ///< per column
-  std::vector<double> volume_;    ///< per region tag, as it was
+  std::vector<Vec3> old_points_;  ///< per column, like what follows: on its wall
+  std::vector<ModelRef> old_on_;
+  std::vector<double> volume_;  ///< per region tag, as it was
   std::vector<std::int32_t> region_of_column_;
   std::vector<bool> moved_;     ///< per column: in the last step
   std::vector<bool> may_move_;  ///< per column
@@ -612,6 +482,7 @@ LayerReport add_layers(Mesh& mesh, const Model& model, const LayerOptions& optio
   OCTET_CHECK(!options.wishes.empty() && static_cast<bool>(options.size_at) && mesh.mid.empty());
   for (const LayerWish& wish : options.wishes)
     OCTET_CHECK(!wish.heights.empty() && wish.heights.size() == options.wishes.front().heights.size());
+  put_walls_first(mesh, options.wishes);
   return LayerMaker(mesh, model, options, observer).run();
 }
 

@@ -231,14 +231,13 @@ void take_back(WorkMesh& mesh) {
   resize_vertices(mesh, journal.vertex_count);
 }
 
-void release_alone(WorkMesh& mesh, std::size_t alone) {
-  if (alone == 0) return;
-  std::vector<std::size_t> degree(alone, 0);
+void release_alone(WorkMesh& mesh, const std::vector<Mesh::Index>& alone) {
+  if (alone.empty()) return;
+  std::vector<std::size_t> degree(mesh.points.size(), 0);
   for (const auto& tet : mesh.tets.values())
-    for (const VertexId v : tet)
-      if (v.index() < alone) ++degree[v.index()];
+    for (const VertexId v : tet) ++degree[v.index()];
   std::vector<TetId> tets;
-  for (std::size_t v = 0; v < alone; ++v) {
+  for (const Mesh::Index v : alone) {
     star(mesh, VertexId(v), tets);
     if (tets.size() == degree[v]) mesh.hold[VertexId(v)] = Hold::kAlone;
   }

@@ -111,8 +111,8 @@ void remove_piece(WorkMesh& mesh, VertexId a, VertexId b);
 /// Requires the invariants of Mesh, but for faces of three fixed vertices that have one tetrahedron and are
 /// no triangles. The first `fixed` vertices are frozen. Vertex and tetrahedron numbers are kept. O(n log n).
 [[nodiscard]] WorkMesh to_work_mesh(const Mesh& mesh, std::size_t fixed = 0);
-/// Makes those of the first `alone` vertices Hold::kAlone whose tetrahedra hang together by faces.
-void release_alone(WorkMesh& mesh, std::size_t alone);
+/// Makes those of these vertices Hold::kAlone whose tetrahedra hang together by faces.
+void release_alone(WorkMesh& mesh, const std::vector<Mesh::Index>& alone);
 /// Live vertices and tetrahedra in the order of their numbers, edges and triangles sorted by (tag, vertices).
 [[nodiscard]] Mesh to_mesh(const WorkMesh& work);
 

@@ -132,6 +132,9 @@ TEST(Layers, ThinOutWhereWallsOfOtherDirectionsMeet) {
   const MeshResult result = mesh_with(wedge, 0.5, {"Face:*=0.02,3"});
   expect_complete(result);
   EXPECT_GT(result.report.layers->nodes, 100u);
+  // At the sharp edge, and there alone: 4 long, in elements of half or more.
+  EXPECT_GT(result.report.layers->bare, 3u);
+  EXPECT_LT(result.report.layers->bare, 40u);
 }
 
 TEST(Layers, WordsThatMeanNothingAreRefused) {
