@@ -16,6 +16,7 @@
 #include "app/exit_code.h"
 #include "app/mesh_request.h"
 #include "app/output_check.h"
+#include "app/piece_words.h"
 #include "app/report_json.h"
 #include "app/stage_clock.h"
 #include "app/summary.h"
@@ -28,17 +29,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void check_distinct(const fs::path& a, const fs::path& b) {
-  std::error_code error;
-  if (a == b || fs::equivalent(a, b, error))
-    throw InputError(fmt::format("\"{}\" and \"{}\" are the same file", a.string(), b.string()));
-}
-
 void check_outputs(const MeshCommand& command, const std::vector<MeshFormat>& formats) {
   std::vector<fs::path> files;
   for (std::size_t i = 0; i < formats.size(); ++i)
     for (fs::path& file : written_files(command.outputs[i], formats[i])) files.push_back(std::move(file));
   if (!command.report.empty()) files.push_back(command.report);
+  if (!command.faults_piece.empty()) files.push_back(command.faults_piece);
   for (auto file = files.begin(); file != files.end(); ++file) {
     check_distinct(command.part, *file);
     for (auto before = files.begin(); before != file; ++before) check_distinct(*before, *file);
@@ -60,6 +56,24 @@ ConsoleOptions console_options(const MeshCommand& command) {
   options.notes = command.verbose;
   options.dump_directory = command.dump_directory;
   return options;
+}
+
+/// Writes what of the part is at fault, if that was asked for, and says so. Where that cannot be done the
+/// mesh, or the error that there was, is not less for it.
+void write_faults(const MeshCommand& command, const MeshRequest& request,
+                  const std::vector<ModelRef>& entities) {
+  if (command.faults_piece.empty()) return;
+  const std::string file = command.faults_piece.string();
+  std::string line = fmt::format("  {} was not written: nothing of the file is at fault\n", file);
+  try {
+    if (!entities.empty())
+      line = fmt::format("  at fault {}: {}\n", file,
+                         write_piece(command.part, {entities, 1, piece_format(command.faults_piece)},
+                                     request.reading, command.faults_piece));
+    if (!command.quiet) fmt::print("{}", line);
+  } catch (const Error& error) {
+    fmt::print(stderr, "octet: {} was not written: {}\n", file, error.what());
+  }
 }
 
 /// That of `octet adapt`. None where it cannot be read as a whole, for a field by the tags of its elements
@@ -99,6 +113,7 @@ int mesh_to_file(const MeshCommand& command, const MeshRequest& request, const R
     fmt::print("{} -> {}{} ({})\n{}", names.part, names.mesh,
                names.copies.empty() ? "" : fmt::format(", {}", fmt::join(names.copies, ", ")),
                request.unit.name, mesh_summary(model, report));
+  write_faults(command, request, faults_as_read(model, report.faults));
   return report.status == MeshStatus::kComplete ? kExitComplete : kExitIncomplete;
 }
 
@@ -113,6 +128,7 @@ int run_mesh(const MeshCommand& command) {
     formats.push_back(mesh_format(output, command.format));
     check_format(formats.back(), command.order);
   }
+  if (!command.faults_piece.empty()) static_cast<void>(piece_format(command.faults_piece));
   check_outputs(command, formats);
   const tbb::global_control most_threads(tbb::global_control::max_allowed_parallelism,
                                          static_cast<std::size_t>(usable_threads(request.options.threads)));
@@ -121,6 +137,11 @@ int run_mesh(const MeshCommand& command) {
     names.copies.push_back(copy->string());
   try {
     return mesh_to_file(command, request, names, formats);
+  } catch (const ModelError& error) {
+    write_report(command.report, failure_json(names, error.what()));
+    write_faults(command, request,
+                 error.entity().valid() ? std::vector{error.entity()} : std::vector<ModelRef>{});
+    throw;
   } catch (const std::exception& error) {
     write_report(command.report, failure_json(names, error.what()));
     throw;

@@ -16,6 +16,7 @@ namespace octet {
 
 struct MeshCommand {
   std::filesystem::path part, report, dump_directory;
+  std::filesystem::path faults_piece;  ///< for what of the part is at fault (.brep, .step); may be empty
   std::vector<std::filesystem::path> outputs;  ///< at least one; the same mesh in each
   ReadOptions reading;                         ///< lengths in `unit`
   SizeWords sizes;                             ///< in `unit`
@@ -51,6 +52,15 @@ struct CheckCommand {
   bool json = false;
 };
 
+struct ExtractCommand {
+  std::filesystem::path part, output;
+  ReadOptions reading;              ///< lengths in `unit`
+  std::vector<std::string> places;  ///< parse_places(); points in `unit`
+  std::string unit;                 ///< of lengths that it takes; empty: millimetre
+  int around = 1;                   ///< PieceWish::around
+  bool quiet = false;
+};
+
 struct QualityCommand {
   std::filesystem::path mesh;
   std::optional<double> size;   ///< asked for everywhere, in `unit`; none: the mesh's own local size
@@ -75,6 +85,7 @@ struct ImproveCommand {
 int run_mesh(const MeshCommand& command);
 int run_info(const InfoCommand& command);
 int run_check(const CheckCommand& command);
+int run_extract(const ExtractCommand& command);
 int run_improve(const ImproveCommand& command);
 int run_quality(const QualityCommand& command);
 

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/ids_in_file.h"
 #include "app/marks_text.h"
 #include "app/words.h"
 
@@ -87,23 +88,27 @@ std::string edge_shape_text(const Model& model, int tag, const EdgeShape& edge) 
          " about " + place_text(edge.arc->centre);
 }
 
-/// Name, marks, and the numbers as read where they are others.
+/// Name, marks, the numbers as read where they are others, and what the file calls them.
 class LineEnds {
  public:
   LineEnds(const Model& model, int dim)
-      : dim_(static_cast<std::size_t>(dim)), sources_(sources(model.provenance(), dim, model.count(dim))) {}
+      : dim_(static_cast<std::size_t>(dim)),
+        sources_(sources(model.provenance(), dim, model.count(dim))),
+        ids_(model) {}
 
   [[nodiscard]] std::string of(int tag, const std::string& name, const std::string& marks) const {
     std::string text = (name.empty() ? std::string() : fmt::format("\"{}\"", name)) + marks;
     const auto at = static_cast<std::size_t>(tag);
     if (at < sources_.size() && !sources_[at].empty() && sources_[at] != std::vector<int>{tag})
       text += fmt::format(" ({} as read)", tag_list(kKindAsRead[dim_], sources_[at]));
+    text += ids_.text({static_cast<std::int32_t>(dim_), tag});
     return text.substr(std::min(text.find_first_not_of(' '), text.size()));
   }
 
  private:
   std::size_t dim_;
   std::vector<std::vector<int>> sources_;
+  IdsInFile ids_;
 };
 
 std::string region_lines(const Model& model, const EntityShapes& shapes) {

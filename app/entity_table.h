@@ -10,7 +10,7 @@
 namespace octet {
 
 /// One line per entity in columns, a heading above those of each dimension: type, measure, place and shape,
-/// what it bounds, tolerance, name and marks, numbers as read where they differ.
+/// what it bounds, tolerance, name and marks, numbers as read where they differ, ids of the file.
 [[nodiscard]] std::string entity_table(const Model& model, const EntityShapes& shapes);
 /// What is at a place: a line that says it, and one for each of the nearest entities.
 [[nodiscard]] std::string place_lines(const Model& model, const EntityShapes& shapes, const AtPlace& at);

@@ -25,9 +25,13 @@ const char* use_name(EdgeUse use) {
   }
 }
 
-/// Adds the numbers as read of an entity.
-void add_sources(const std::vector<std::vector<int>>& sources, int tag, Json& json) {
-  if (!sources.empty()) json["as_read"] = sources[static_cast<std::size_t>(tag)];
+/// Adds the numbers as read of an entity, and what the file calls it.
+void add_sources(const Model& model, int dim, const std::vector<std::vector<int>>& sources, int tag,
+                 Json& json) {
+  if (sources.empty()) return;
+  const std::vector<int>& numbers = sources[static_cast<std::size_t>(tag)];
+  json["as_read"] = numbers;
+  if (!model.provenance().id_mark.empty()) json["ids"] = ids_in_file(model.provenance(), dim, numbers);
 }
 
 std::vector<std::vector<int>> sources_of(const Model& model, int dim) {
@@ -44,7 +48,7 @@ Json vertices_json(const Model& model) {
                     {"name", vertex.name},
                     {"point", vec_json(vertex.point)},
                     {"tolerance", vertex.tolerance}});
-    add_sources(numbers, v, json.back());
+    add_sources(model, 0, numbers, v, json.back());
   }
   return json;
 }
@@ -78,7 +82,7 @@ Json edges_json(const Model& model, const EntityShapes& shapes) {
                     {"vertices", edge.vertex},
                     {"faces", edge.faces}});
     add_shape(shapes.edges[static_cast<std::size_t>(e)], json.back());
-    add_sources(numbers, e, json.back());
+    add_sources(model, 1, numbers, e, json.back());
   }
   return json;
 }
@@ -115,7 +119,7 @@ Json faces_json(const Model& model, const EntityShapes& shapes) {
                     {"tolerance", face.tolerance},
                     {"regions", face.region}});
     add_shape(shapes.faces[static_cast<std::size_t>(f)], json.back());
-    add_sources(numbers, f, json.back());
+    add_sources(model, 2, numbers, f, json.back());
   }
   return json;
 }
@@ -135,7 +139,7 @@ Json regions_json(const Model& model, const EntityShapes& shapes) {
                     {"faces", region.faces}});
     json.back()["centre"] = vec_json(shapes.regions[static_cast<std::size_t>(r)].centre);
     json.back()["box"] = box_json(shapes.regions[static_cast<std::size_t>(r)].box);
-    add_sources(numbers, r, json.back());
+    add_sources(model, 3, numbers, r, json.back());
   }
   return json;
 }

@@ -72,6 +72,11 @@ void add_meshing(CLI::App& sub, MeshCommand& mesh) {
   sub.add_option("--format", mesh.format, mesh_format_names() + " (default: by suffix)")->type_name("FORMAT");
   add_mesh_wishes(sub, mesh);
   sub.add_option("--report", mesh.report, "Write a report as JSON")->type_name("FILE");
+  sub.add_option(
+         "--write-faults", mesh.faults_piece,
+         "Where the part or its mesh has faults, write the faces at fault and those around them, as the "
+         "file has them (.brep, .step)")
+      ->type_name("FILE");
   sub.add_option("--dump-stages", mesh.dump_directory, "Write the mesh of every stage into this directory")
       ->type_name("DIR");
   CLI::Option* quiet = sub.add_flag("--quiet,-q", mesh.quiet, "Print nothing but errors");
@@ -145,6 +150,30 @@ void add_check(CLI::App& app, CheckCommand& check) {
   sub.footer(kFooter);
 }
 
+void add_extract(CLI::App& app, ExtractCommand& extract) {
+  CLI::App& sub = *app.add_subcommand(
+      "extract", "Write some faces of a part, as its file has them: to look at, to send on");
+  sub.add_option("part", extract.part, "STEP, IGES or BREP file")->required()->type_name("FILE");
+  sub.add_option("places", extract.places,
+                 "Faces, those that edges or vertices lie on, or solids: Face12, Edge3-7, Region2, Face%12 "
+                 "(number in "
+                 "the file), Face%#4711 (what the file calls it), Face:name*, Face@x,y,z")
+      ->required()
+      ->type_name("PLACE");
+  sub.add_option("-o,--output", extract.output,
+                 "File to write: .brep, or .step, where faces are named, and red if asked for")
+      ->required()
+      ->type_name("FILE");
+  sub.add_option("--around", extract.around,
+                 "How often the faces that touch those are taken, too (default: 1)")
+      ->type_name("N");
+  sub.add_option("--unit", extract.unit, std::string("Unit of the lengths that are given: ") + kUnitHelp)
+      ->type_name("UNIT");
+  sub.add_flag("--quiet,-q", extract.quiet, "Print nothing but errors");
+  add_reading_options(sub, extract.reading);
+  sub.footer(kFooter);
+}
+
 void add_quality(CLI::App& app, QualityCommand& quality) {
   CLI::App& sub =
       *app.add_subcommand("quality", "Tell the shapes of a mesh's elements: table, histograms, worst");
@@ -209,12 +238,14 @@ int run(int argc, char** argv) {
   MeshCommand mesh, adapt;
   InfoCommand info;
   CheckCommand check;
+  ExtractCommand extract;
   QualityCommand quality;
   ImproveCommand improve;
   add_mesh(app, mesh);
   add_adapt(app, adapt);
   add_info(app, info);
   add_check(app, check);
+  add_extract(app, extract);
   add_quality(app, quality);
   add_improve(app, improve);
   try {
@@ -233,6 +264,7 @@ int run(int argc, char** argv) {
   if (app.got_subcommand("mesh")) return guarded([&] { return run_mesh(mesh); });
   if (app.got_subcommand("adapt")) return guarded([&] { return run_mesh(adapt); });
   if (app.got_subcommand("info")) return guarded([&] { return run_info(info); });
+  if (app.got_subcommand("extract")) return guarded([&] { return run_extract(extract); });
   if (app.got_subcommand("improve")) return guarded([&] { return run_improve(improve); });
   if (app.got_subcommand("quality")) return guarded([&] { return run_quality(quality); });
   return guarded([&] { return run_check(check); });

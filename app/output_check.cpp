@@ -46,6 +46,12 @@ void check_writable(const fs::path& path) {
   const OutputFile probe(path);  // never committed: its destructor takes the temporary file away
 }
 
+void check_distinct(const fs::path& a, const fs::path& b) {
+  std::error_code error;
+  if (a == b || fs::equivalent(a, b, error))
+    throw InputError(fmt::format("\"{}\" and \"{}\" are the same file", a.string(), b.string()));
+}
+
 void make_directory(const fs::path& path) {
   std::error_code error;
   fs::create_directories(path, error);

@@ -10,6 +10,9 @@ namespace octet {
 /// a full disk. Leaves nothing behind.
 void check_writable(const std::filesystem::path& path);
 
+/// InputError when both are the same file.
+void check_distinct(const std::filesystem::path& a, const std::filesystem::path& b);
+
 /// Makes the directory when it is missing; OutputError when it cannot be made.
 void make_directory(const std::filesystem::path& path);
 

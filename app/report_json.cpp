@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/changed_numbers.h"
+#include "app/ids_in_file.h"
 #include "app/measures.h"
 #include "app/region_measures.h"
 #include "app/self_contact.h"
@@ -25,9 +26,10 @@ std::string text_of(const Json& json) {
 
 Json vec_json(const Vec3& p) { return Json::array({p.x(), p.y(), p.z()}); }
 
-Json fault_json(const Model& model, const Fault& fault) {
+Json fault_json(const Model& model, const IdsInFile& ids, const Fault& fault) {
   Json json{{"dim", fault.entity.dim}, {"tag", fault.entity.tag}};
   json["entity"] = fault.entity.valid() ? model.describe(fault.entity) : "";
+  json["ids"] = ids.of(fault.entity);
   json["place"] = vec_json(fault.place);
   json["cause"] = fault.cause;
   json["advice"] = fault.advice;
@@ -36,7 +38,9 @@ Json fault_json(const Model& model, const Fault& fault) {
 
 Json faults_json(const Model& model, const std::vector<Fault>& faults) {
   Json json = Json::array();
-  for (const Fault& fault : faults) json.push_back(fault_json(model, fault));
+  if (faults.empty()) return json;
+  const IdsInFile ids(model);
+  for (const Fault& fault : faults) json.push_back(fault_json(model, ids, fault));
   return json;
 }
 

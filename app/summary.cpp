@@ -8,6 +8,7 @@
 #include <cmath>
 #include <optional>
 
+#include "app/ids_in_file.h"
 #include "app/measures.h"
 #include "app/region_measures.h"
 #include "app/self_contact.h"
@@ -149,7 +150,8 @@ std::string times_line(const std::vector<StageTime>& times) {
 }  // namespace
 
 std::string fault_line(const Model& model, const Fault& fault) {
-  std::string line = fault.entity.valid() ? model.describe(fault.entity) + " " : std::string();
+  std::string line;
+  if (fault.entity.valid()) line = model.describe(fault.entity) + IdsInFile(model).text(fault.entity) + " ";
   line += fmt::format("at {}: {}", place_text(fault.place), fault.cause);
   if (!fault.advice.empty()) line += fmt::format(" -> {}", fault.advice);
   return line;

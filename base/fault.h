@@ -15,6 +15,7 @@ struct Fault {
   Vec3 place = Vec3::Zero();  ///< where, in model units (millimetre)
   std::string cause;          ///< what is wrong, one sentence
   std::string advice;         ///< what the user can do about it, one sentence
+  ModelRef as_read{};         ///< what of the file, by its number as read, where the model has nothing of it
 };
 
 }  // namespace octet

@@ -17,6 +17,7 @@ struct EntityAsRead {
   /// The model's entities that it became, ascending: several where fusing split it, the same one for two
   /// that fusing joined, none where it is not in the model.
   std::vector<int> tags;
+  int id = 0;  ///< by which the file itself knows it (Provenance::id_mark); 0: it has none
 };
 
 /// A part or an assembly as the file arranges them. A part used twice stands twice.
@@ -43,10 +44,17 @@ struct Provenance {
   std::array<std::vector<EntityAsRead>, 4> as_read;  ///< by dimension and number as read, [0] unused
   std::vector<PartNode> tree;                        ///< an assembly before what it holds
   std::vector<LeftOut> left_out;                     ///< solids, then faces, edges, vertices of none such
+  /// What stands before an id: "#" of a STEP file, "D" of an IGES file (the line of its directory entry);
+  /// empty where the file has none.
+  std::string id_mark;
 };
 
 /// Numbers as read of the entities that became each model entity, by tag; `count`: entities of the model.
 [[nodiscard]] std::vector<std::vector<int>> sources(const Provenance& provenance, int dim, int count);
+
+/// Ids of the entities with these numbers as read, "#4711" or "D17", of those that have one; each once.
+[[nodiscard]] std::vector<std::string> ids_in_file(const Provenance& provenance, int dim,
+                                                   const std::vector<int>& numbers);
 
 /// What two or more solids of the file fill together.
 struct Overlap {

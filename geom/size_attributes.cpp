@@ -112,6 +112,18 @@ bool read_range(std::string_view text, Where where, SizeAttribute& attribute) {
   return true;
 }
 
+bool is_id_mark(char c) { return c == '#' || c == 'D' || c == 'd'; }
+
+/// "#4711" or "D17".
+bool read_id(std::string_view text, SizeAttribute& attribute) {
+  const auto id = number<int>(text.substr(1));
+  if (!id || *id < 1) return false;
+  attribute.where = Where::kId;
+  attribute.first = attribute.last = *id;
+  attribute.pattern = (text.front() == '#' ? "#" : "D") + std::to_string(*id);
+  return true;
+}
+
 /// What follows the word Face, Edge, Vertex, Region or Solid.
 bool read_entities(std::string_view rest, double unit, SizeAttribute& attribute) {
   if (rest.empty()) return false;
@@ -126,6 +138,8 @@ bool read_entities(std::string_view rest, double unit, SizeAttribute& attribute)
     attribute.a = unit * Vec3(v[0], v[1], v[2]);
     return true;
   }
+  if (rest.size() > 2 && rest.front() == '%' && is_id_mark(rest[1]))
+    return read_id(rest.substr(1), attribute);
   if (rest.front() == '%') return read_range(rest.substr(1), Where::kAsRead, attribute);
   return read_range(rest, Where::kNumbers, attribute);
 }

@@ -18,6 +18,7 @@ struct SizeAttribute {
   enum class Where {
     kNumbers,   ///< entities `dim` with tags first..last
     kAsRead,    ///< what the entities `dim` with the numbers first..last of the file have become
+    kId,        ///< what the entity `dim` has become that the file itself calls `pattern`: "#4711", "D17"
     kName,      ///< entities whose name matches the pattern; `dim` -1: of any dimension; regions also by the
                 ///< names of the parts and assemblies that hold them
     kColour,    ///< faces whose colour matches the pattern
@@ -43,6 +44,7 @@ struct SizeAttribute {
 ///
 ///     Face12=0.5   Edge3-7=0.5   Vertex4=0.1   Region2=3   by number or range, as `octet info` lists them
 ///     Face%12=0.5   Edge%3-7=0.5                           by number in the file, as CAD systems count
+///     Face%#4711=0.5   Edge%D17=0.5                        by what a STEP or IGES file itself calls it
 ///     Face:bore*=0.5   bore*=0.5   Face:*=1                by name (of faces; of anything; all faces)
 ///     Face#ff00*=0.5                                       by colour
 ///     Face@10,0,5=0.5                                      the nearest to a point

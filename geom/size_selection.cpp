@@ -82,6 +82,12 @@ int last_number(const Model& model, const SizeAttribute& attribute) {
   return static_cast<int>(read) - 1;
 }
 
+std::vector<ModelRef> each_once(std::vector<ModelRef> entities) {
+  std::sort(entities.begin(), entities.end());
+  entities.erase(std::unique(entities.begin(), entities.end()), entities.end());
+  return entities;
+}
+
 /// What the numbers of the file have become, ascending.
 std::vector<ModelRef> became(const Model& model, const SizeAttribute& attribute) {
   const auto& as_read = model.provenance().as_read[static_cast<std::size_t>(attribute.dim)];
@@ -92,9 +98,18 @@ std::vector<ModelRef> became(const Model& model, const SizeAttribute& attribute)
     else
       for (const int tag : as_read[static_cast<std::size_t>(n)].tags) found.push_back({attribute.dim, tag});
   }
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
-  return found;
+  return each_once(std::move(found));
+}
+
+/// The same of what the file calls so: several where a part is used several times.
+std::vector<ModelRef> became_of_id(const Model& model, const SizeAttribute& attribute) {
+  const Provenance& provenance = model.provenance();
+  std::vector<ModelRef> found;
+  if (provenance.id_mark + std::to_string(attribute.first) != attribute.pattern) return found;
+  for (const EntityAsRead& entity : provenance.as_read[static_cast<std::size_t>(attribute.dim)])
+    if (entity.id == attribute.first)
+      for (const int tag : entity.tags) found.push_back({attribute.dim, tag});
+  return each_once(std::move(found));
 }
 
 bool is_by_number(Where where) { return where == Where::kNumbers || where == Where::kAsRead; }
@@ -161,6 +176,8 @@ std::vector<ModelRef> selected_entities(const Model& model, const SizeAttribute&
     if (entity.valid()) found.push_back(entity);
   } else if (attribute.where == Where::kAsRead) {
     found = became(model, attribute);
+  } else if (attribute.where == Where::kId) {
+    found = became_of_id(model, attribute);
   } else {
     for (int dim = 0; dim < 4; ++dim)
       for (int tag = 1; (attribute.dim < 0 || dim == attribute.dim) && tag <= model.count(dim); ++tag)

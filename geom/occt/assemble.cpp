@@ -15,6 +15,7 @@
 #include <cmath>
 #include <mutex>
 #include <set>
+#include <utility>
 
 #include "base/error.h"
 #include "geom/occt/common_faces.h"
@@ -159,7 +160,7 @@ class OpenShells {
     for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next())
       told_.insert(number_as_read(2, it.Current(), as_read_, healed_));
     Fault fault = opening_of(shape, sewn, as_read_, healed_, sewing_);
-    fault.entity = {};
+    fault.as_read = std::exchange(fault.entity, {});
     fault.cause = name + " is left out: it bounds no volume: " + fault.cause;
     parts_.faults.push_back(fault);
   }
@@ -212,6 +213,7 @@ void tell_faults(const JoinedSolids& joined, const ShapeMaps& as_read, const Sol
     Fault fault{{}, middle_of(lost.solid), "", "mend it in the CAD system; the others are meshed without it"};
     fault.cause = fmt::format("{} is left out: {}", number > 0 ? solid_text(parts, number) : "a sewn solid",
                               lost.cause);
+    if (number > 0) fault.as_read = {3, number};
     parts.faults.push_back(fault);
   }
 }

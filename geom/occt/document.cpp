@@ -21,10 +21,8 @@
 #include <StepRepr_RepresentationItem.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
 #include <TDF_LabelSequence.hxx>
-#include <TDocStd_Document.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
-#include <XCAFApp_Application.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
 #include <XSControl_WorkSession.hxx>
@@ -40,6 +38,8 @@
 #include "geom/occt/iges_loops.h"
 #include "geom/occt/labels.h"
 #include "geom/occt/loop_sides.h"
+#include "geom/occt/scoped_document.h"
+#include "geom/occt/scoped_setting.h"
 #include "geom/occt/stated_accuracy.h"
 #include "geom/occt/sub_shapes.h"
 
@@ -50,41 +50,6 @@ std::string lower(std::string text) {
   for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return text;
 }
-
-/// A setting of all OCCT's readers in the process, put back when it goes: a program that reads a part within
-/// itself (ReadOptions::isolate) may read files of its own.
-class ScopedSetting {
- public:
-  ScopedSetting(const char* name, int value) : name_(name), before_(Interface_Static::IVal(name)) {
-    Interface_Static::SetIVal(name_, value);
-  }
-  ~ScopedSetting() { Interface_Static::SetIVal(name_, before_); }
-  ScopedSetting(const ScopedSetting&) = delete;
-  ScopedSetting& operator=(const ScopedSetting&) = delete;
-
- private:
-  const char* name_;
-  int before_;
-};
-
-/// An XCAF document that is closed when it goes.
-class ScopedDocument {
- public:
-  ScopedDocument() { XCAFApp_Application::GetApplication()->NewDocument("BinXCAF", document_); }
-  ~ScopedDocument() {
-    try {
-      XCAFApp_Application::GetApplication()->Close(document_);
-    } catch (const Standard_Failure&) {
-      // Nothing is lost: the document is only our scratch paper.
-    }
-  }
-  ScopedDocument(const ScopedDocument&) = delete;
-  ScopedDocument& operator=(const ScopedDocument&) = delete;
-  Handle(TDocStd_Document) & get() { return document_; }
-
- private:
-  Handle(TDocStd_Document) document_;
-};
 
 std::string quoted(const std::filesystem::path& path) { return fmt::format("'{}'", path.string()); }
 
@@ -249,6 +214,8 @@ CadDocument read_step(const std::filesystem::path& path) {
     if (reader.Transfer(document.get())) collect_labels(document.get(), result);
     tell_of_sides(sides, result);
   }
+  result.ids = step_ids(reader.Reader());
+  result.id_mark = "#";
   if (std::optional<std::string> note = check_external_files(reader, document.get(), path))
     result.notes.push_back(*std::move(note));
   return result;
@@ -304,6 +271,8 @@ CadDocument read_iges_by(const std::filesystem::path& path, IgesCurves curves) {
   }
   ScopedDocument document;
   if (reader.Transfer(document.get())) collect_labels(document.get(), result);
+  result.ids = iges_ids(reader);
+  result.id_mark = "D";
   return result;
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "geom/occt/file_ids.h"
 #include "geom/occt/file_kind.h"
 #include "geom/provenance.h"
 
@@ -38,6 +39,8 @@ struct CadDocument {
   double accuracy = 0.0;           ///< stated_accuracy(), mm
   std::vector<ShapeLabel> labels;  ///< outer ones first: a later label is more specific
   std::vector<PlacedPart> tree;    ///< outer ones first
+  std::vector<FileId> ids;         ///< wherever the shapes are placed; the first of a shape is its own
+  std::string id_mark;             ///< Provenance::id_mark
   std::vector<std::string> notes;  ///< what was passed over
 };
 

@@ -111,7 +111,7 @@ class Joiner {
     } catch (const ModelError& error) {
       if (parts_late()) return false;
       const std::optional<std::size_t> solid = culprit(error);
-      if (!solid) throw;
+      if (!solid) throw as_read(error);
       const bool is_apart = std::any_of(apart_.begin(), apart_.end(),
                                         [&](const KeptApart& kept) { return kept.solid == *solid; });
       if (joined_.history->HasModified() && !is_apart) {
@@ -119,7 +119,7 @@ class Joiner {
       } else if (healed_.solids.size() > 1) {
         leave_out(*solid, error.what());
       } else {
-        throw;
+        throw as_read(error);
       }
       return false;
     }
@@ -176,6 +176,17 @@ class Joiner {
     measure_gaps(numbering, part_.parts);
     log_("triangulating the faces");
     tessellate(numbering, options_.facet_deflection, log_, part_.parts);
+  }
+
+  /// The error with the number as read of the entity that it names by its tag; of none, where it is new.
+  [[nodiscard]] ModelError as_read(const ModelError& error) const {
+    const ModelRef entity = error.entity();
+    if (!entity.valid() || entity.dim > 3) return error;
+    const auto& became = part_.numbering.became[entity.dim];
+    for (std::size_t number = 1; number < became.size(); ++number)
+      if (std::find(became[number].begin(), became[number].end(), entity.tag) != became[number].end())
+        return {error.what(), {entity.dim, static_cast<std::int32_t>(number)}};
+    return {error.what(), {}};
   }
 
   /// The first solid that holds the entity the error names.

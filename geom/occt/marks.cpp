@@ -183,9 +183,11 @@ void mark_entities(const CadDocument& document, const ShapeMaps& as_read, const 
   Provenance& provenance = parts.provenance;
   for (std::size_t dim = 0; dim < 4; ++dim) {
     provenance.as_read[dim].resize(marks[dim].size());
+    const std::vector<int> ids = ids_of(as_read.of[dim], document.ids);
     for (std::size_t number = 1; number < marks[dim].size(); ++number)
-      provenance.as_read[dim][number] = {marks[dim][number].name, numbering.became[dim][number]};
+      provenance.as_read[dim][number] = {marks[dim][number].name, numbering.became[dim][number], ids[number]};
   }
+  provenance.id_mark = document.id_mark;
   provenance.tree = tree_of(document.tree, shells, as_read, numbering);
   provenance.left_out = left_out(as_read, numbering);
   for (LeftOut& item : provenance.left_out)

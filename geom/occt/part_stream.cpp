@@ -42,8 +42,8 @@ void pass(auto& stream, auto& region) requires
 
 void pass(auto& stream, auto& entity) requires
     std::is_same_v<std::remove_const_t<std::remove_reference_t<decltype(entity)>>, EntityAsRead> {
-  auto& [name, tags] = entity;
-  stream(name, tags);
+  auto& [name, tags, id] = entity;
+  stream(name, tags, id);
 }
 
 void pass(auto& stream, auto& node) requires
@@ -60,8 +60,8 @@ void pass(auto& stream, auto& item) requires
 
 void pass(auto& stream, auto& fault) requires
     std::is_same_v<std::remove_const_t<std::remove_reference_t<decltype(fault)>>, Fault> {
-  auto& [entity, place, cause, advice] = fault;
-  stream(entity, place, cause, advice);
+  auto& [entity, place, cause, advice, as_read] = fault;
+  stream(entity, place, cause, advice, as_read);
 }
 
 void pass_facets(auto& stream, auto& facets) {
@@ -82,10 +82,11 @@ void pass_entities(ByteReader& stream, auto& entities) {
 }
 
 void pass_provenance(auto& stream, auto& provenance) {
-  auto& [as_read, tree, left_out] = provenance;
+  auto& [as_read, tree, left_out, id_mark] = provenance;
   for (auto& entities : as_read) pass_entities(stream, entities);
   pass_entities(stream, tree);
   pass_entities(stream, left_out);
+  stream(id_mark);
 }
 
 void pass_parts(auto& stream, auto& parts) {

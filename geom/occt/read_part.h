@@ -59,7 +59,8 @@ constexpr const char* kInstalledReader = "";
 /// InputError: missing, a directory, empty, truncated, not a CAD file, no shape in it.
 /// InputError: OCCT hung, crashed or needed too much memory (names the stage and, where known, the entity).
 /// Where it did so joining solids they are kept apart, and a fault of the model says so.
-/// ModelError: nothing that bounds a volume (open shell: names the first free edge, its faces and place).
+/// ModelError: nothing that bounds a volume (open shell: names the first free edge, its faces and place); its
+/// entity has its number as read.
 /// `installed_reader` is not for callers to give.
 [[nodiscard]] Model read_part(const std::filesystem::path& path, const ReadOptions& options = {},
                               const char* installed_reader = kInstalledReader);

@@ -9,6 +9,7 @@
 #include <Standard_OutOfMemory.hxx>
 #include <Standard_Version.hxx>
 #include <algorithm>
+#include <array>
 #include <new>
 #include <optional>
 #include <utility>
@@ -19,6 +20,7 @@
 #include "geom/occt/byte_stream.h"
 #include "geom/occt/cause.h"
 #include "geom/occt/part_stream.h"
+#include "geom/occt/piece_file.h"
 #include "geom/occt/read_again.h"
 #include "geom/occt/silence.h"
 #include "geom/occt/tessellate.h"
@@ -29,18 +31,44 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// The error with what the file itself calls the entity that it names.
+ModelError with_id(const ModelError& error, const CadDocument& document) {
+  static constexpr std::array<const char*, 4> kKind{"Vertex", "Edge", "Face", "Solid"};
+  const ModelRef entity = error.entity();
+  if (!entity.valid()) return error;
+  const ShapeMaps as_read(document.shape);
+  const std::vector<int> ids = ids_of(as_read.of[entity.dim], document.ids);
+  const auto tag = static_cast<std::size_t>(entity.tag);
+  if (tag >= ids.size() || ids[tag] == 0) return error;
+  return {fmt::format("{}; {} {} is {}{} in the file", error.what(),
+                      kKind[static_cast<std::size_t>(entity.dim)], tag, document.id_mark, ids[tag]),
+          entity};
+}
+
+CadDocument document_of(const ReadJob& job, const StageLog& log) {
+  if (job.shape.IsNull()) {
+    log("reading the file");
+    return read_document(job.path, job.kind);
+  }
+  CadDocument document;
+  document.shape = job.shape;
+  return document;
+}
+
 std::string do_job(const ReadJob& job, const StageLog& log) {
   try {
-    CadDocument document;
-    if (job.shape.IsNull()) {
-      log("reading the file");
-      document = read_document(job.path, job.kind);
-    } else {
-      document.shape = job.shape;
+    const CadDocument document = document_of(job, log);
+    if (job.piece) {
+      log("making the piece");
+      return encode_piece(make_piece(document.shape, *job.piece));
     }
-    const AssembledPart part = assemble(document, job.options, job.meeting, log);
-    log("handing the part over");
-    return encode_part(part.numbering, part.parts);
+    try {
+      const AssembledPart part = assemble(document, job.options, job.meeting, log);
+      log("handing the part over");
+      return encode_part(part.numbering, part.parts);
+    } catch (const ModelError& error) {
+      throw with_id(error, document);
+    }
   } catch (const Standard_OutOfMemory&) {
     throw std::bad_alloc();
   } catch (const Standard_Failure& failure) {
@@ -50,6 +78,8 @@ std::string do_job(const ReadJob& job, const StageLog& log) {
 
 std::string encode_job(const ReadJob& job) {
   ByteWriter out;
+  const PieceWish piece = job.piece.value_or(PieceWish{});
+  out(job.piece.has_value(), piece.entities, piece.around, piece.format);
   out(job.path.string(), job.kind, job.shape.IsNull() ? std::string() : encode_shape(job.shape),
       job.options.facet_deflection, job.options.sew_tolerance, job.options.cap, job.options.smallest_feature,
       job.options.embed, job.options.fuse, job.options.fuse_tolerance, job.meeting.crossing,
@@ -173,6 +203,10 @@ std::string serve_job(std::string_view request, const StageLog& log) {
   ByteReader in(request);
   ReadJob job;
   std::string path, shape;
+  bool has_piece = false;
+  PieceWish piece;
+  in(has_piece, piece.entities, piece.around, piece.format);
+  if (has_piece) job.piece = piece;
   in(path, job.kind, shape, job.options.facet_deflection, job.options.sew_tolerance, job.options.cap,
      job.options.smallest_feature, job.options.embed, job.options.fuse, job.options.fuse_tolerance,
      job.meeting.crossing, job.meeting.touching);
@@ -209,6 +243,18 @@ Model read_as_asked(ReadJob job) {
 }
 
 }  // namespace
+
+PartPiece read_piece(const std::filesystem::path& path, const PieceWish& wish, const ReadOptions& options,
+                     const char* installed_reader) {
+  ReadJob job;
+  job.path = path;
+  job.kind = file_kind(path);
+  job.options = options;
+  job.piece = wish;
+  job.installed_reader = installed_reader;
+  std::string note;
+  return decode_piece(guarded_bytes(job, note));
+}
 
 Model read_model(const ReadJob& job) { return read_at_least_apart(job, read_as_asked); }
 

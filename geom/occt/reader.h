@@ -4,6 +4,7 @@
 
 #include <TopoDS_Shape.hxx>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -11,6 +12,7 @@
 #include "geom/occt/child_process.h"
 #include "geom/occt/file_kind.h"
 #include "geom/occt/heal.h"
+#include "geom/occt/part_piece.h"
 #include "geom/occt/read_part.h"
 
 namespace octet {
@@ -22,6 +24,7 @@ struct ReadJob {
   TopoDS_Shape shape;  ///< used when it is not null
   ReadOptions options;
   MeetingFaces meeting;                    ///< of a reading before
+  std::optional<PieceWish> piece;          ///< wanted instead of a model
   std::filesystem::path installed_reader;  ///< the helper of the package that the caller was built with
 };
 
