@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # What most files include, parsed once: that was the greater part of the time that a file took. Headers from outside of the
-# project alone; with -D CMAKE_DISABLE_PRECOMPILE_HEADERS=ON each file must name what it needs.
+# project alone, and types made of what is in them; with -D CMAKE_DISABLE_PRECOMPILE_HEADERS=ON each file must name what it needs.
 set(OCTET_HEADERS <algorithm> <array> <cmath> <cstdint> <functional> <limits> <map> <memory> <numeric> <optional> <set> <span>
-                  <string> <string_view> <utility> <vector> <Eigen/Core> <fmt/format.h> <oneapi/tbb/parallel_for.h>)
+                  <string> <string_view> <utility> <vector> <Eigen/Core> <Eigen/Geometry> <fmt/format.h>
+                  <oneapi/tbb/parallel_for.h> ${CMAKE_CURRENT_LIST_DIR}/common_types.h)
 set(OCTET_OCCT_HEADERS <BRepAdaptor_Curve.hxx> <BRepAdaptor_Surface.hxx> <BRep_Builder.hxx> <BRep_Tool.hxx> <BRepTools.hxx>
                        <Geom2d_Curve.hxx> <Geom_Curve.hxx> <Geom_Surface.hxx> <TopExp.hxx> <TopExp_Explorer.hxx>
                        <TopTools_IndexedDataMapOfShapeListOfShape.hxx> <TopTools_IndexedMapOfShape.hxx> <TopoDS.hxx>)

@@ -146,5 +146,7 @@ def words_of(fault):
     """A fault or warning of a report in one line."""
     text = fault["cause"]
     if fault["entity"]:
-        text = "{} at ({}): {}".format(fault["entity"], ", ".join(f"{x:.6g}" for x in fault["place"]), text)
+        ids = fault.get("ids", [])
+        entity = f"{fault['entity']} ({', '.join(ids)})" if ids else fault["entity"]
+        text = "{} at ({}): {}".format(entity, ", ".join(f"{x:.6g}" for x in fault["place"]), text)
     return f"{text} -> {fault['advice']}" if fault["advice"] else text
