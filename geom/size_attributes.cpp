@@ -120,7 +120,7 @@ bool read_id(std::string_view text, SizeAttribute& attribute) {
   if (!id || *id < 1) return false;
   attribute.where = Where::kId;
   attribute.first = attribute.last = *id;
-  attribute.pattern = (text.front() == '#' ? "#" : "D") + std::to_string(*id);
+  attribute.pattern.assign(1, text.front() == '#' ? '#' : 'D').append(std::to_string(*id));
   return true;
 }
 
