@@ -39,7 +39,7 @@ struct CadDocument {
   double accuracy = 0.0;           ///< stated_accuracy(), mm
   std::vector<ShapeLabel> labels;  ///< outer ones first: a later label is more specific
   std::vector<PlacedPart> tree;    ///< outer ones first
-  std::vector<FileId> ids;         ///< wherever the shapes are placed; the first of a shape is its own
+  std::vector<FileId> ids;         ///< wherever the shapes are placed; of several for one shape the last counts
   std::string id_mark;             ///< Provenance::id_mark
   std::vector<std::string> notes;  ///< what was passed over
 };

@@ -45,8 +45,9 @@ Wished wished_shapes(const ShapeMaps& as_read, const std::vector<ModelRef>& enti
   constexpr std::array<const char*, 4> kKind{"Vertex", "Edge", "Face", "Solid"};
   Wished wished;
   for (const ModelRef entity : entities) {
+    if (!entity.valid() || entity.dim > 3) throw InputError("a piece needs entities with numbers from 1");
     const TopTools_IndexedMapOfShape& all = as_read.of[entity.dim];
-    if (!entity.valid() || entity.tag > all.Extent())
+    if (entity.tag > all.Extent())
       throw InputError(fmt::format("there is no {} {} in the file, which has {}",
                                    kKind[static_cast<std::size_t>(entity.dim)], entity.tag, all.Extent()));
     (entity.dim == 3 ? wished.solids : wished.others).Add(all(entity.tag));

@@ -244,15 +244,8 @@ Model read_as_asked(ReadJob job) {
 
 }  // namespace
 
-PartPiece read_piece(const std::filesystem::path& path, const PieceWish& wish, const ReadOptions& options,
-                     const char* installed_reader) {
-  ReadJob job;
-  job.path = path;
-  job.kind = file_kind(path);
-  job.options = options;
-  job.piece = wish;
-  job.installed_reader = installed_reader;
-  std::string note;
+PartPiece read_piece(const ReadJob& job) {
+  std::string note;  // of limits that there were not: a model's, and a piece has none
   return decode_piece(guarded_bytes(job, note));
 }
 

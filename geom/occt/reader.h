@@ -33,6 +33,9 @@ struct ReadJob {
 /// apart, and a fault of the model says so.
 [[nodiscard]] Model read_model(const ReadJob& job);
 
+/// What the job's piece is, likewise by a child process.
+[[nodiscard]] PartPiece read_piece(const ReadJob& job);
+
 /// All that makes a model, by a child process as ReadOptions says.
 [[nodiscard]] ModelParts read_job(const ReadJob& job);
 

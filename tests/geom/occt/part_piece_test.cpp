@@ -129,6 +129,8 @@ TEST(PartPiece, AStepFileHasNamesAndColoursAndIsTheSameEachTime) {
 TEST(PartPiece, WhatIsNotThereIsRefused) {
   EXPECT_THROW((void)piece_of("box", {model_face(7)}, 1), InputError);
   EXPECT_THROW((void)piece_of("box", {{3, 2}}, 1), InputError);
+  EXPECT_THROW((void)piece_of("box", {{-1, 0}}, 1), InputError);
+  EXPECT_THROW((void)piece_of("box", {{4, 1}}, 1), InputError);
   EXPECT_THROW((void)piece_of("no_such_part", {model_face(1)}, 1), InputError);
 }
 
