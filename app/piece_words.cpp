@@ -5,8 +5,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <optional>
+#include <set>
 
 #include "app/words.h"
 #include "base/error.h"
@@ -20,11 +22,11 @@ class NumbersAsRead {
  public:
   explicit NumbersAsRead(const Model& model) : model_(model) {}
 
-  void add(ModelRef entity, std::vector<ModelRef>& entities) {
+  void add(ModelRef entity, std::set<ModelRef>& entities) {
     auto& sources = sources_[static_cast<std::size_t>(entity.dim)];
     if (!sources) sources = octet::sources(model_.provenance(), entity.dim, model_.count(entity.dim));
     for (const int number : (*sources)[static_cast<std::size_t>(entity.tag)])
-      entities.push_back({entity.dim, number});
+      entities.insert({entity.dim, number});
   }
 
  private:
@@ -32,18 +34,12 @@ class NumbersAsRead {
   std::array<std::optional<std::vector<std::vector<int>>>, 4> sources_;
 };
 
-std::vector<ModelRef> each_once(std::vector<ModelRef> entities) {
-  std::sort(entities.begin(), entities.end());
-  entities.erase(std::unique(entities.begin(), entities.end()), entities.end());
-  return entities;
-}
-
 bool is_by_number(const SizeAttribute& place) {
   return place.where == SizeAttribute::Where::kNumbers || place.where == SizeAttribute::Where::kAsRead;
 }
 
-void add_numbers(const SizeAttribute& place, std::vector<ModelRef>& entities) {
-  for (int number = place.first; number <= place.last; ++number) entities.push_back({place.dim, number});
+void add_numbers(const SizeAttribute& place, std::set<ModelRef>& entities) {
+  for (int number = place.first; number <= place.last; ++number) entities.insert({place.dim, number});
 }
 
 /// The model, or none where the part is no model and numbers tell all that is asked for.
@@ -83,11 +79,11 @@ PieceFormat piece_format(const std::filesystem::path& path) {
 
 std::vector<ModelRef> places_as_read(const std::filesystem::path& part,
                                      const std::vector<SizeAttribute>& places, const ReadOptions& reading) {
-  std::vector<ModelRef> entities;
+  std::set<ModelRef> entities;
   const std::optional<Model> model = model_if_any(part, places, reading);
   if (!model) {
     for (const SizeAttribute& place : places) add_numbers(place, entities);
-    return each_once(std::move(entities));
+    return {entities.begin(), entities.end()};
   }
   NumbersAsRead numbers(*model);
   for (const SizeAttribute& place : places) {
@@ -96,14 +92,14 @@ std::vector<ModelRef> places_as_read(const std::filesystem::path& part,
     else
       for (const ModelRef entity : selected_entities(*model, place)) numbers.add(entity, entities);
   }
-  return each_once(std::move(entities));
+  return {entities.begin(), entities.end()};
 }
 
 std::vector<ModelRef> faults_as_read(const Model& model, const std::vector<Fault>& faults) {
-  std::vector<ModelRef> entities;
+  std::set<ModelRef> entities;
   NumbersAsRead numbers(model);
   for (const Fault& fault : faults) {
-    if (fault.as_read.valid()) entities.push_back(fault.as_read);
+    if (fault.as_read.valid()) entities.insert(fault.as_read);
     const ModelRef entity = fault.entity;
     if (!entity.valid()) continue;
     if (entity.dim < 3)
@@ -111,7 +107,7 @@ std::vector<ModelRef> faults_as_read(const Model& model, const std::vector<Fault
     else if (const auto foot = model.closest(fault.place, std::numeric_limits<double>::infinity()))
       numbers.add(model_face(foot->face), entities);
   }
-  return each_once(std::move(entities));
+  return {entities.begin(), entities.end()};
 }
 
 std::string write_piece(const std::filesystem::path& part, const PieceWish& wish, const ReadOptions& reading,

@@ -22,7 +22,9 @@ void add_size_options(CLI::App& command, SizeWords& words) {
       .add_option(
           "--size-at", words.size_at,
           "A size at a place, may be repeated: Face12=0.5, Edge3-7=0.5, Region2=3, Face%12=0.5 (number in "
-          "the file), Face:bore*=0.5, Face#ff0000=1, Face@x,y,z=0.5 (nearest), box:x,y,z,x,y,z=1, "
+          "the file), Face%#4711=0.5 (what a STEP file calls it), Face:bore*=0.5, Face#ff0000=1, "
+          "Face@x,y,z=0.5 "
+          "(nearest), box:x,y,z,x,y,z=1, "
           "ball:x,y,z,r=1, cylinder:x,y,z,x,y,z,r=1, Edge5=/12 (twelve elements)")
       ->type_name("PLACE=LENGTH")
       ->allow_extra_args(false)
