@@ -9,6 +9,7 @@
 
 #include "base/blocks.h"
 #include "base/predicates.h"
+#include "base/sort_unique.h"
 #include "base/vertex_order.h"
 #include "octree/even_walls.h"
 #include "octree/tips.h"
@@ -89,8 +90,7 @@ class Subdivision {
   /// False, and nothing done, when no octant was taken.
   bool refine_taken() {
     if (octants_.empty()) return false;
-    std::sort(octants_.begin(), octants_.end());
-    octants_.erase(std::unique(octants_.begin(), octants_.end()), octants_.end());
+    sort_unique(octants_);
     tree_ = refine(tree_, octants_);
     octants_.clear();
     return true;

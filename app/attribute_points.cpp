@@ -11,6 +11,7 @@
 #include <unordered_map>
 
 #include "base/error.h"
+#include "base/sort_unique.h"
 #include "base/vertex_order.h"
 #include "classify/dual_crossings.h"
 #include "geom/face_match.h"
@@ -435,8 +436,7 @@ class AttributeLoop {
         if (n != UINT32_MAX) hit.push_back(n);
       }
     }
-    std::sort(hit.begin(), hit.end());
-    hit.erase(std::unique(hit.begin(), hit.end()), hit.end());
+    sort_unique(hit);
     for (const std::uint32_t n : hit) split(n);
     return !hit.empty();
   }
@@ -485,8 +485,7 @@ class AttributeLoop {
       for (const VertexId v : mesh().tets[t])
         if (v != kGhostVertex && v != gap.vertex && on_[v.index()] == gap.entity)
           beside.emplace_back((mesh().points[v] - p).norm(), v);
-    std::sort(beside.begin(), beside.end());
-    beside.erase(std::unique(beside.begin(), beside.end()), beside.end());
+    sort_unique(beside);
     return std::any_of(beside.begin(), beside.end(), [&](const auto& one) {
       const auto [length, v] = one;
       if (length < 4.0 * limits_.floor) return false;
@@ -520,8 +519,7 @@ class AttributeLoop {
   }
 
   void relabel() {
-    std::sort(relabel_.begin(), relabel_.end());
-    relabel_.erase(std::unique(relabel_.begin(), relabel_.end()), relabel_.end());
+    sort_unique(relabel_);
     band_.update(mesh(), on_, relabel_);
     memory_.add(mesh(), relabel_);
     for (const TetId t : relabel_) changed_[t.index()] = 0;

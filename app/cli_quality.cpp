@@ -5,12 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
 #include "app/commands.h"
 #include "app/exit_code.h"
+#include "app/json.h"
 #include "app/length_unit.h"
 #include "app/words.h"
+#include "base/constants.h"
 #include "base/error.h"
 #include "io/size_file.h"
 #include "io/write.h"
@@ -22,11 +23,7 @@
 namespace octet {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-constexpr double kDegree = 180.0 / M_PI;
-
-double told(const Distribution& d, double value) { return d.angle ? value * kDegree : value; }
+double told(const Distribution& d, double value) { return d.angle ? value * kInDegrees : value; }
 
 std::string entity_name(ModelRef on) {
   static constexpr const char* kWord[4] = {"Vertex", "Edge", "Face", "Region"};
@@ -68,10 +65,10 @@ std::string worst_text(const QualityTable& table) {
   for (const WorstTet& worst : table.worst) {
     std::string on;
     for (const ModelRef entity : worst.on) on.append(" ").append(entity_name(entity));
-    text +=
-        fmt::format("  {:>9}  dihedrals {:6.2f} to {:6.2f}, mean ratio {:.3f}, at {}:{}{}\n", worst.tet + 1,
-                    worst.dihedral.smallest * kDegree, worst.dihedral.largest * kDegree, worst.mean_ratio,
-                    place_text(worst.place), on, worst.limited ? " (limited by the part)" : "");
+    text += fmt::format("  {:>9}  dihedrals {:6.2f} to {:6.2f}, mean ratio {:.3f}, at {}:{}{}\n",
+                        worst.tet + 1, worst.dihedral.smallest * kInDegrees,
+                        worst.dihedral.largest * kInDegrees, worst.mean_ratio, place_text(worst.place), on,
+                        worst.limited ? " (limited by the part)" : "");
   }
   return text;
 }
@@ -117,8 +114,8 @@ std::string quality_json(const std::string& name, const QualityTable& table) {
     Json on = Json::array();
     for (const ModelRef entity : worst.on) on.push_back({{"dim", entity.dim}, {"tag", entity.tag}});
     json["worst"].push_back({{"element", worst.tet + 1},
-                             {"min_dihedral", worst.dihedral.smallest * kDegree},
-                             {"max_dihedral", worst.dihedral.largest * kDegree},
+                             {"min_dihedral", worst.dihedral.smallest * kInDegrees},
+                             {"max_dihedral", worst.dihedral.largest * kInDegrees},
                              {"mean_ratio", worst.mean_ratio},
                              {"place", {worst.place.x(), worst.place.y(), worst.place.z()}},
                              {"on", on},

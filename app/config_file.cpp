@@ -7,19 +7,17 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 #include <string_view>
 #include <utility>
 
+#include "app/json.h"
 #include "base/error.h"
 #include "geom/closest_word.h"
 
 namespace octet {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr const char* kPlaces = "size-at";  // the one option whose value may be an object
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "base/sort_unique.h"
 #include "octree/equal_parts.h"
 
 namespace octet {
@@ -45,8 +46,7 @@ std::vector<Mesh::Index> with_divided(std::vector<Mesh::Index> held, const Mesh&
     if (on.dim == 1 && divisions[edge] > 0 && divisions[edge] == pieces[edge])
       held.push_back(static_cast<Mesh::Index>(v));
   }
-  std::sort(held.begin(), held.end());
-  held.erase(std::unique(held.begin(), held.end()), held.end());
+  sort_unique(held);
   return held;
 }
 

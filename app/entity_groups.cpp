@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "base/sort_unique.h"
 
 namespace octet {
 namespace {
@@ -82,8 +83,7 @@ std::vector<OutlineGroup> groups_of(const Model& model, const std::vector<GroupW
                                        place.dim < 0 ? "; say which, as in Face:" + place.text : ""));
         group->tags.push_back(entity.tag);
       }
-    std::sort(group->tags.begin(), group->tags.end());
-    group->tags.erase(std::unique(group->tags.begin(), group->tags.end()), group->tags.end());
+    sort_unique(group->tags);
   }
   return groups;
 }

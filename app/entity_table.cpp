@@ -5,20 +5,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
 #include <utility>
 #include <vector>
 
 #include "app/ids_in_file.h"
 #include "app/marks_text.h"
 #include "app/words.h"
+#include "base/constants.h"
 
 namespace octet {
 namespace {
 
 constexpr std::array<const char*, 4> kKind{"Vertex", "Edge", "Face", "Region"};
 constexpr std::array<const char*, 4> kKindAsRead{"Vertex", "Edge", "Face", "Solid"};
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 /// Rows of cells, each column as wide as its widest cell, up to what few cells need.
 class Columns {
@@ -55,7 +54,7 @@ std::string face_shape_text(const FaceShape& face) {
   std::string text;
   if (round.half_angle > 0.0)
     text = fmt::format("radius {:.6g} to {:.6g}, half angle {:.6g} deg, axis {}, apex {}", face.radii[0],
-                       face.radii[1], round.half_angle * kDegrees, place_text(round.axis),
+                       face.radii[1], round.half_angle * kInDegrees, place_text(round.axis),
                        place_text(round.origin));
   else if (round.minor_radius > 0.0)
     text = fmt::format("radii {:.6g} and {:.6g}, axis {} at {}", round.radius, round.minor_radius,

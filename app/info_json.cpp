@@ -2,15 +2,12 @@
 // Keys are stable: tests/corpus.py and users' scripts read them.
 #include "app/info_json.h"
 
-#include <nlohmann/json.hpp>
 #include <numbers>
+
+#include "app/json.h"
 
 namespace octet {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-Json vec_json(const Vec3& p) { return Json::array({p.x(), p.y(), p.z()}); }
 
 Json box_json(const Box3& box) { return Json::array({vec_json(box.lo), vec_json(box.hi)}); }
 

@@ -13,7 +13,7 @@ namespace octet {
 namespace {
 
 constexpr std::size_t kShown = 20;
-constexpr std::array<const char*, 4> kKind{"Vertex", "Edge", "Face", "Solid"};
+constexpr std::array<const char*, 4> kShapeKind{"Vertex", "Edge", "Face", "Solid"};
 
 /// A heading with the number of items, and the first of them.
 std::string listed(const char* heading, const std::vector<std::string>& items) {
@@ -118,7 +118,7 @@ std::string change_lines(const PartInfo& info) {
   std::vector<std::string> lines;
   // Faces and solids are what users name; edges and vertices follow from them.
   for (auto it = info.changes.rbegin(); it != info.changes.rend(); ++it) {
-    const char* kind = kKind[static_cast<std::size_t>(it->as_read.dim)];
+    const char* kind = kShapeKind[static_cast<std::size_t>(it->as_read.dim)];
     const char* now = it->as_read.dim == 3 ? "Region" : kind;
     lines.push_back(fmt::format("{}{} as read is {}", kind, it->as_read.tag, tag_list(now, it->tags)));
   }
@@ -132,7 +132,7 @@ std::string left_out_lines(const Model& model) {
   std::vector<std::string> lines;
   for (const LeftOut& item : model.provenance().left_out)
     lines.push_back(fmt::format("{}{} as read{}, {:.6g} mm{}, at {}",
-                                kKind[static_cast<std::size_t>(item.entity.dim)], item.entity.tag,
+                                kShapeKind[static_cast<std::size_t>(item.entity.dim)], item.entity.tag,
                                 item.name.empty() ? "" : " \"" + item.name + "\"", item.measure,
                                 item.entity.dim == 3   ? "^3"
                                 : item.entity.dim == 2 ? "^2"
@@ -159,7 +159,7 @@ std::string fault_summary(const Model& model, const PartInfo& info) {
     if (!tags.empty())
       text += fmt::format(
           "  {}    {} (no {} than the gaps around)\n", dim == 1 ? "tiny edges   " : "sliver faces ",
-          tag_list(kKind[static_cast<std::size_t>(dim)], tags), dim == 1 ? "longer" : "wider");
+          tag_list(kShapeKind[static_cast<std::size_t>(dim)], tags), dim == 1 ? "longer" : "wider");
   }
   if (!info.contact.vertices.empty())
     text += fmt::format("  pinched vertices {} (the boundary touches itself)\n",

@@ -25,7 +25,7 @@ namespace {
 constexpr int kMostLayers = 100;
 constexpr double kMostGrowth = 3.0;
 
-InputError refusal(std::string_view text, std::string_view why) {
+InputError layers_refusal(std::string_view text, std::string_view why) {
   return InputError(fmt::format("--layers \"{}\": {}", text, why));
 }
 
@@ -88,8 +88,8 @@ LayerRequest parse_layers(std::string_view text, double unit) {
   request.text = text;
   const std::size_t equals = text.rfind('=');
   if (equals == 0 || equals == std::string_view::npos)
-    throw refusal(text,
-                  "layers are written PLACES=HEIGHT,COUNT or PLACES=HEIGHT,COUNT,GROWTH, as in Face3=0.1,5");
+    throw layers_refusal(
+        text, "layers are written PLACES=HEIGHT,COUNT or PLACES=HEIGHT,COUNT,GROWTH, as in Face3=0.1,5");
   std::vector<std::string> words(1);
   for (const char c : text.substr(equals + 1))
     if (c == ',')
@@ -99,15 +99,15 @@ LayerRequest parse_layers(std::string_view text, double unit) {
   const double height = number_of(words[0]), count = words.size() > 1 ? number_of(words[1]) : 0.0,
                growth = words.size() > 2 ? number_of(words[2]) : request.growth;
   if (words.size() > 3 || !(height > 0.0))
-    throw refusal(text, "the height of the first layer must be a positive number");
+    throw layers_refusal(text, "the height of the first layer must be a positive number");
   if (!(count >= 1.0 && count <= kMostLayers && count == std::floor(count)))
-    throw refusal(text, fmt::format("the number of layers must be 1 to {}", kMostLayers));
+    throw layers_refusal(text, fmt::format("the number of layers must be 1 to {}", kMostLayers));
   if (!(growth >= 1.0 && growth <= kMostGrowth))
-    throw refusal(text, fmt::format("the growth of layers must be 1 to {}", kMostGrowth));
+    throw layers_refusal(text, fmt::format("the growth of layers must be 1 to {}", kMostGrowth));
   try {
     request.places = parse_places(text.substr(0, equals), unit);
   } catch (const InputError& error) {
-    throw refusal(text, error.what());
+    throw layers_refusal(text, error.what());
   }
   request.first = height * unit;
   request.count = static_cast<int>(count);
@@ -120,24 +120,24 @@ std::vector<LayerWish> layer_wishes(const Model& model, const std::vector<LayerR
   for (std::size_t i = 0; i < requests.size(); ++i) {
     const LayerRequest& request = requests[i];
     if (request.count != requests.front().count)
-      throw refusal(request.text, "all faces must have as many layers");
+      throw layers_refusal(request.text, "all faces must have as many layers");
     for (const SizeAttribute& place : request.places) {
       std::vector<ModelRef> entities;
       try {
         entities = selected_entities(model, place);
       } catch (const InputError& error) {
-        throw refusal(request.text, error.what());
+        throw layers_refusal(request.text, error.what());
       }
       for (const ModelRef entity : entities) {
         if (entity.dim != 2)
-          throw refusal(request.text,
-                        fmt::format("{} is no face{}", model.describe(entity),
-                                    place.dim < 0 ? "; say which, as in Face:" + place.text : ""));
+          throw layers_refusal(request.text,
+                               fmt::format("{} is no face{}", model.describe(entity),
+                                           place.dim < 0 ? "; say which, as in Face:" + place.text : ""));
         const auto& sides = model.face(entity.tag).region;
         if ((sides[0] == 0) == (sides[1] == 0))
-          throw refusal(request.text,
-                        fmt::format("{} has regions on both sides: layers go on the outside of a part",
-                                    model.describe(entity)));
+          throw layers_refusal(request.text,
+                               fmt::format("{} has regions on both sides: layers go on the outside of a part",
+                                           model.describe(entity)));
         of_face[entity.tag] = i;
       }
     }

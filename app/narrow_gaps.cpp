@@ -9,13 +9,14 @@
 #include <optional>
 #include <utility>
 
+#include "base/sort_unique.h"
 #include "geom/opposite.h"
 
 namespace octet {
 namespace {
 
 /// Sheets within this share of the size may cross: chords leave a face by less than a tenth of their length.
-constexpr double kNear = 0.12;
+constexpr double kNearAGap = 0.12;
 /// Least cosine of the angle between sheets at a gap: concave corners of the common angles are none.
 constexpr double kGap = 0.1;
 /// How far a fault reaches, in sizes there: crossing triangles have vertices within two.
@@ -37,8 +38,7 @@ std::vector<VertexOnFace> vertices_on_faces(const Mesh& mesh, const Model& model
     for (const Mesh::Index v : mesh.triangles[i])
       if (!planar || mesh.point_on[v].dim < 2) all.emplace_back(v, mesh.triangle_on[i]);
   }
-  std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end()), all.end());
+  sort_unique(all);
   return all;
 }
 
@@ -104,7 +104,7 @@ std::vector<Mesh::Index> vertices_at_gaps(const Mesh& mesh, const Model& model,
   tbb::parallel_for(std::size_t{0}, asked.size(), [&](std::size_t i) {
     const Vec3& p = mesh.points[asked[i].first];
     if (surroundings.hold(p))
-      near[i] = is_near_another(model, p, asked[i].second, kNear * size_at(p)) ? 1 : 0;
+      near[i] = is_near_another(model, p, asked[i].second, kNearAGap * size_at(p)) ? 1 : 0;
   });
   std::vector<Mesh::Index> found;
   for (std::size_t i = 0; i < asked.size(); ++i)
@@ -117,7 +117,7 @@ GapRooms::GapRooms(const Mesh& mesh, const Model& model, const Octree& tree) : t
   std::vector<double> gap(asked.size());
   tbb::parallel_for(std::size_t{0}, asked.size(), [&](std::size_t i) {
     const Vec3& p = mesh.points[asked[i].first];
-    gap[i] = gap_at(model, p, asked[i].second, kNear * tree.spacing_at(p));
+    gap[i] = gap_at(model, p, asked[i].second, kNearAGap * tree.spacing_at(p));
   });
   for (std::size_t i = 0; i < asked.size(); ++i) {
     if (gap[i] == kNoGap) continue;

@@ -8,11 +8,12 @@
 
 #include "app/entity_groups.h"
 #include "base/error.h"
+#include "base/sort_unique.h"
 
 namespace octet {
 namespace {
 
-InputError refusal(std::string_view text, std::string_view why) {
+InputError periodic_refusal(std::string_view text, std::string_view why) {
   return InputError(fmt::format("--periodic \"{}\": {}", text, why));
 }
 
@@ -28,10 +29,9 @@ std::vector<int> faces_at(const Model& model, const PeriodicWish& wish,
         faces.push_back(entity.tag);
       }
   } catch (const InputError& error) {
-    throw refusal(wish.text, error.what());
+    throw periodic_refusal(wish.text, error.what());
   }
-  std::sort(faces.begin(), faces.end());
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  sort_unique(faces);
   return faces;
 }
 
@@ -47,12 +47,12 @@ PeriodicWish parse_periodic(std::string_view text, double unit) {
   }
   const std::size_t equals = text.find('=');
   if (equals == 0 || equals == std::string_view::npos || equals + 1 == text.size())
-    throw refusal(text, "faces and their images are written Face1,Face4=Face2,Face5, or x, y or z");
+    throw periodic_refusal(text, "faces and their images are written Face1,Face4=Face2,Face5, or x, y or z");
   try {
     wish.faces = parse_places(text.substr(0, equals), unit);
     wish.images = parse_places(text.substr(equals + 1), unit);
   } catch (const InputError& error) {
-    throw refusal(text, error.what());
+    throw periodic_refusal(text, error.what());
   }
   return wish;
 }

@@ -4,27 +4,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "app/changed_numbers.h"
 #include "app/ids_in_file.h"
+#include "app/json.h"
 #include "app/measures.h"
 #include "app/region_measures.h"
 #include "app/self_contact.h"
+#include "base/constants.h"
 
 namespace octet {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-constexpr double kDegree = 180.0 / M_PI;
 
 /// Names come from CAD files in any encoding: what is no UTF-8 is replaced, never thrown at.
 std::string text_of(const Json& json) {
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
-
-Json vec_json(const Vec3& p) { return Json::array({p.x(), p.y(), p.z()}); }
 
 Json fault_json(const Model& model, const IdsInFile& ids, const Fault& fault) {
   Json json{{"dim", fault.entity.dim}, {"tag", fault.entity.tag}};
@@ -68,9 +63,9 @@ Json head_json(const RunNames& names, const char* status) {
 }
 
 Json quality_json(const QualitySummary& quality) {
-  return {{"min_dihedral", quality.min_dihedral * kDegree},
-          {"max_dihedral", quality.max_dihedral * kDegree},
-          {"p1_min_dihedral", quality.p1_min_dihedral * kDegree},
+  return {{"min_dihedral", quality.min_dihedral * kInDegrees},
+          {"max_dihedral", quality.max_dihedral * kInDegrees},
+          {"p1_min_dihedral", quality.p1_min_dihedral * kInDegrees},
           {"min_mean_ratio", quality.min_mean_ratio},
           {"mean_mean_ratio", quality.mean_mean_ratio}};
 }

@@ -13,12 +13,12 @@
 #include "app/region_measures.h"
 #include "app/self_contact.h"
 #include "app/words.h"
+#include "base/constants.h"
 #include "geom/tiny_features.h"
 
 namespace octet {
 namespace {
 
-constexpr double kDegree = 180.0 / M_PI;
 constexpr std::size_t kShownFaults = 10;
 /// Of a region's volume: what is more off than this is hardly meant.
 constexpr double kFarOff = 0.05;
@@ -161,7 +161,7 @@ std::string quality_line(const char* name, const QualitySummary& q) {
   return fmt::format(
       "  {:<9}dihedral angles {:.1f} to {:.1f} degrees (99 % of elements above {:.1f}), mean ratio {:.3f} "
       "(least {:.3f})\n",
-      name, q.min_dihedral * kDegree, q.max_dihedral * kDegree, q.p1_min_dihedral * kDegree,
+      name, q.min_dihedral * kInDegrees, q.max_dihedral * kInDegrees, q.p1_min_dihedral * kInDegrees,
       q.mean_mean_ratio, q.min_mean_ratio);
 }
 

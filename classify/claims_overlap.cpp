@@ -15,7 +15,7 @@ namespace octet {
 namespace {
 
 /// Sides a task.
-constexpr std::size_t kBlock = 1024;
+constexpr std::size_t kOverlapBlock = 1024;
 
 Box3 box_of(const ClaimInput& in, const std::array<Mesh::Index, 2>& side) {
   Box3 box;
@@ -114,7 +114,7 @@ Claim claim_no_overlap(const ClaimInput& in) {
     std::sort(met.begin(), met.end());
     return met;
   };
-  for (const auto& met : map_blocks<std::vector<Meeting>>(in.sides.size(), kBlock, meetings))
+  for (const auto& met : map_blocks<std::vector<Meeting>>(in.sides.size(), kOverlapBlock, meetings))
     for (const auto& [side, triangle] : met)
       claim.fault(1.0, model_face(in.mesh.triangle_on[triangle]), in.centroid(in.mesh.triangles[triangle]),
                   fmt::format("triangle {} is pierced by a side of a triangle on {}", triangle,

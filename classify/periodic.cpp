@@ -13,6 +13,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "base/sort_unique.h"
+
 namespace octet {
 namespace {
 
@@ -32,8 +34,7 @@ void close(Patch& patch) {
     patch.vertices.insert(patch.vertices.end(), element.begin(), element.end());
     std::sort(element.begin(), element.end());
   }
-  std::sort(patch.vertices.begin(), patch.vertices.end());
-  patch.vertices.erase(std::unique(patch.vertices.begin(), patch.vertices.end()), patch.vertices.end());
+  sort_unique(patch.vertices);
 }
 
 /// The patches of all entities that are in an orbit.
@@ -251,8 +252,7 @@ class Matcher {
       for_each_side(from, [&](Index a, Index b) {
         made.nodes.push_back({middles_.of(images[a], images[b]), middles_.of(a, b)});
       });
-    std::sort(made.nodes.begin(), made.nodes.end());
-    made.nodes.erase(std::unique(made.nodes.begin(), made.nodes.end()), made.nodes.end());
+    sort_unique(made.nodes);
     match_.links.push_back(std::move(made));
   }
 

@@ -13,7 +13,7 @@
 namespace octet {
 namespace {
 
-constexpr std::size_t kBlock = 16384;
+constexpr std::size_t kSweepBlock = 16384;
 
 /// A number for a face.
 std::uint64_t hash_of(Mesh::Index v0, Mesh::Index v1, Mesh::Index v2) {
@@ -156,7 +156,7 @@ TetSweep sweep_tets(const Mesh& mesh, const Model& model) {
   for (const auto& triangle : mesh.triangles)
     for (const Mesh::Index v : triangle) sweep.on_surface[v] = 1;
   for (const BlockSums& sums :
-       map_blocks<BlockSums>(mesh.tets.size(), kBlock, [&](std::size_t first, std::size_t last) {
+       map_blocks<BlockSums>(mesh.tets.size(), kSweepBlock, [&](std::size_t first, std::size_t last) {
          return BlockSweep(mesh, regions, sweep).run(first, last);
        })) {
     sweep.smallest_volume = std::min(sweep.smallest_volume, sums.smallest);

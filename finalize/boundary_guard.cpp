@@ -9,6 +9,7 @@
 #include <cstdlib>
 
 #include "base/check.h"
+#include "base/sort_unique.h"
 #include "mesh/quality.h"
 #include "mesh/tet_mesh.h"
 
@@ -199,8 +200,7 @@ void BoundaryGuard::seat_all(const WorkMesh& mesh) {
   for_each_curved_triangle(mesh, [&](int face, const std::array<VertexId, 3>& v) {
     for (const VertexId corner : v) wanted.emplace_back(corner, face);
   });
-  std::sort(wanted.begin(), wanted.end());
-  wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
+  sort_unique(wanted);
   std::vector<Seat> seats(wanted.size());
   tbb::parallel_for(std::size_t{0}, wanted.size(),
                     [&](std::size_t i) { seats[i] = project(mesh, wanted[i].first, wanted[i].second); });

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "base/sort_unique.h"
 #include "finalize/mean_shape.h"
 #include "finalize/replace.h"
 #include "finalize/shape.h"
@@ -14,11 +15,6 @@ namespace octet {
 namespace {
 
 using Vertices = std::vector<VertexId>;
-
-void sort_unique(Vertices& v) {
-  std::sort(v.begin(), v.end());
-  v.erase(std::unique(v.begin(), v.end()), v.end());
-}
 
 bool has(const Vertices& sorted, VertexId v) { return std::binary_search(sorted.begin(), sorted.end(), v); }
 

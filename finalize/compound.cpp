@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "base/sort_unique.h"
 #include "finalize/collapse.h"
 #include "finalize/edge_removal.h"
 #include "finalize/improve.h"
@@ -35,8 +36,7 @@ constexpr std::uint64_t kFirstWork = 4'000'000, kWorkPerKept = 20'000;
 /// Adds what the last operation made to the area, and drops what it removed.
 void take_in_made(const Workshop& shop, std::vector<TetId>& area) {
   area.insert(area.end(), shop.made.begin(), shop.made.end());
-  std::sort(area.begin(), area.end());
-  area.erase(std::unique(area.begin(), area.end()), area.end());
+  sort_unique(area);
   std::erase_if(area, [&](TetId t) { return !shop.mesh.alive(t); });
 }
 

@@ -11,6 +11,7 @@
 
 #include "base/blocks.h"
 #include "base/error.h"
+#include "base/sort_unique.h"
 #include "mesh/edges.h"
 #include "mesh/mid_nodes.h"
 #include "mesh/quadratic.h"
@@ -130,8 +131,7 @@ class Curving {
           if (const std::optional<Index> worst = most_in_the_way(tets[i])) list.push_back(*worst);
         },
         kQueries);
-    std::sort(nodes.begin(), nodes.end());
-    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    sort_unique(nodes);
     for (const Index m : nodes) mesh_.mid.points[m] = place(m, ++back_[m]);
     return nodes;
   }

@@ -223,7 +223,7 @@ std::vector<MeasureChange> measure_changes(const Workshop& shop, const Sectors& 
   return changes;
 }
 
-struct Plan {
+struct RemovalPlan {
   Sectors sectors;
   std::array<Triangulation2D, 2> triangulations;
   double value = 0.0;
@@ -242,7 +242,7 @@ double merit_of(const WorkMesh& mesh, const std::vector<TetId>& tets) {
 
 /// Plans to remove the edge of plan.ring for a value above `least`, as far as shapes and geometry go; whether
 /// the surface would touch itself is left to `carry_out`.
-bool fill_plan(const Workshop& shop, const EdgeRing& ring, const Aim& aim, double least, Plan& plan) {
+bool fill_plan(const Workshop& shop, const EdgeRing& ring, const Aim& aim, double least, RemovalPlan& plan) {
   const WorkMesh& mesh = shop.mesh;
   if (piece_on(mesh, ring.a, ring.b) != 0 || (mesh.frozen(ring.a) && mesh.frozen(ring.b))) return false;
   if (!collect_sectors(mesh, ring, plan.sectors)) return false;
@@ -265,7 +265,7 @@ bool fill_plan(const Workshop& shop, const EdgeRing& ring, const Aim& aim, doubl
   return plan.sectors[0].face_on == 0 || swap_fits(shop, surface_swap(ring, plan.sectors[0]));
 }
 
-bool plan_for_mean(const Workshop& shop, const EdgeRing& ring, double floor, Plan& plan) {
+bool plan_for_mean(const Workshop& shop, const EdgeRing& ring, double floor, RemovalPlan& plan) {
   // Nine of ten end here. The share left to rounding lets nothing be missed.
   constexpr double kSurelyLess = 0.999 * kLeastMeritGain;
   if (ring.rim.size() >= 3 && ring.rim.size() <= kSmallRim &&
@@ -277,7 +277,7 @@ bool plan_for_mean(const Workshop& shop, const EdgeRing& ring, double floor, Pla
                    merit_of(shop.mesh, ring.tets) + kLeastMeritGain, plan);
 }
 
-bool carry_out(Workshop& shop, const EdgeRing& ring, const Plan& plan) {
+bool carry_out(Workshop& shop, const EdgeRing& ring, const RemovalPlan& plan) {
   if (plan.sectors[0].face_on != 0 && !chord_is_free(shop, plan.sectors)) return false;
   std::vector<NewTet> added;
   for (std::size_t i = 0; i < plan.sectors.count; ++i) {
@@ -299,7 +299,7 @@ bool carry_out(Workshop& shop, const EdgeRing& ring, const Plan& plan) {
 }  // namespace
 
 double edge_removal_shape(Workshop& shop, TetId t, VertexId a, VertexId b, double floor) {
-  Plan plan;
+  RemovalPlan plan;
   edge_ring(shop.mesh, t, a, b, shop.ring);
   const bool better = fill_plan(shop, shop.ring, {false, floor}, floor, plan);
   shop.work += plan.work;
@@ -308,7 +308,7 @@ double edge_removal_shape(Workshop& shop, TetId t, VertexId a, VertexId b, doubl
 }
 
 bool remove_edge(Workshop& shop, TetId t, VertexId a, VertexId b, double floor) {
-  Plan plan;
+  RemovalPlan plan;
   edge_ring(shop.mesh, t, a, b, shop.ring);
   const bool better = fill_plan(shop, shop.ring, {false, floor}, floor, plan);
   shop.work += plan.work;
@@ -316,12 +316,12 @@ bool remove_edge(Workshop& shop, TetId t, VertexId a, VertexId b, double floor) 
 }
 
 bool edge_removal_raises_mean(const Workshop& shop, const EdgeRing& ring, double floor) {
-  Plan plan;
+  RemovalPlan plan;
   return plan_for_mean(shop, ring, floor, plan);
 }
 
 bool remove_edge_for_mean(Workshop& shop, const EdgeRing& ring, double floor) {
-  Plan plan;
+  RemovalPlan plan;
   return plan_for_mean(shop, ring, floor, plan) && carry_out(shop, ring, plan);
 }
 

@@ -8,14 +8,14 @@
 namespace octet {
 namespace {
 
-struct Plan {
+struct SwapPlan {
   std::array<TetId, 2> removed;
   std::array<NewTet, 3> added;
   std::uint64_t work = 0;
 };
 
 /// The swap, if all that it makes is better than `floor`.
-bool make_plan(const WorkMesh& mesh, TetId t, int face, double floor, Plan& plan) {
+bool make_plan(const WorkMesh& mesh, TetId t, int face, double floor, SwapPlan& plan) {
   const TetId n = mesh.neighbours[t][face];
   if (!n.valid() || mesh.face_on[t][face] != 0) return false;
   plan.removed = {t, n};
@@ -32,7 +32,7 @@ bool make_plan(const WorkMesh& mesh, TetId t, int face, double floor, Plan& plan
   return true;
 }
 
-bool carry_out(Workshop& shop, const Plan& plan) {
+bool carry_out(Workshop& shop, const SwapPlan& plan) {
   if (!replace(shop, {plan.removed, plan.added})) return false;
   ++shop.report.face_swaps;
   return true;
@@ -41,7 +41,7 @@ bool carry_out(Workshop& shop, const Plan& plan) {
 }  // namespace
 
 bool swap_face(Workshop& shop, TetId t, int face, double floor) {
-  Plan plan;
+  SwapPlan plan;
   const bool better = make_plan(shop.mesh, t, face, floor, plan);
   shop.work += plan.work;
   return better && carry_out(shop, plan);

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "base/error.h"
+#include "base/sort_unique.h"
 #include "finalize/collapse.h"
 #include "finalize/compound.h"
 #include "finalize/edge_removal.h"
@@ -44,12 +45,6 @@ bool falls_short(const Workshop& shop, TetId t, double goal) {
   const double quality = shop.mesh.quality[t];
   return quality < goal &&
          (touches_boundary(shop.mesh, t) || quality < shape_of_angle(shop.options.leave_interior));
-}
-
-double worst_quality(const WorkMesh& mesh, const std::vector<TetId>& tets) {
-  double worst = 1.0;
-  for (const TetId t : tets) worst = std::min(worst, mesh.quality[t]);
-  return worst;
 }
 
 /// Removes the edge whose removal leaves the best shapes.
@@ -97,8 +92,7 @@ bool smooth_corners(Workshop& shop, TetId t, double goal) {
     changed.insert(changed.end(), shop.made.begin(), shop.made.end());
     if (shop.mesh.quality[t] >= goal) break;
   }
-  std::sort(changed.begin(), changed.end());
-  changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+  sort_unique(changed);
   if (any) shop.made = changed;
   return any;
 }
@@ -179,8 +173,7 @@ std::vector<std::tuple<double, VertexId, VertexId>> boundary_edges(const WorkMes
       if (value) edges.emplace_back(*value, a, b);
     }
   }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  sort_unique(edges);
   return edges;
 }
 

@@ -25,7 +25,7 @@
 namespace octet {
 namespace {
 
-using Vertices = std::vector<Mesh::Index>;
+using MeshVertices = std::vector<Mesh::Index>;
 using Tets = std::vector<Mesh::Index>;
 
 /// So many layers of tetrahedra about seams are worked on again.
@@ -106,7 +106,7 @@ std::array<Vec3, 4> corners(const Mesh& mesh, std::size_t tet) {
 }
 
 /// Those of the vertices that stayed, as they are numbered now.
-void renumber(Vertices& vertices, const Vertices& number) {
+void renumber(MeshVertices& vertices, const MeshVertices& number) {
   for (Mesh::Index& v : vertices) v = number[v];
   std::erase(vertices, MeshBlocks::kGone);
 }
@@ -139,7 +139,7 @@ class Passage {
     run(blocks, chosen, tasks);
     std::vector<MeshBlock> done;
     for (Task& task : tasks) done.push_back(std::move(task.block));
-    Vertices seam = blocks.seam();
+    MeshVertices seam = blocks.seam();
     rims_.insert(rims_.end(), blocks.rim().begin(), blocks.rim().end());
     if (options_.scope == FinalizeScope::kSmoothing) {
       MeshBlocks::move_to(done, mesh_.points);
@@ -157,7 +157,7 @@ class Passage {
   /// could not be worked on.
   [[nodiscard]] Tets short_at_rims() const {
     const double of_chase = squared_cotangent(kChaseAngle), of_obtuse = squared_cotangent(kObtuse);
-    Vertices vertices;
+    MeshVertices vertices;
     for (const Mesh::Index t : tets_near(mesh_, rims_, 1)) {
       const std::array<Vec3, 4> p = corners(mesh_, t);
       const DihedralCotangents range = dihedral_cotangents(p[0], p[1], p[2], p[3]);
@@ -207,7 +207,7 @@ class Passage {
   FinalizeReport report_;
   std::optional<WorstFits> at_first_;  ///< of the whole
   std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
-  Vertices rims_;  ///< of blocks about seams
+  MeshVertices rims_;  ///< of blocks about seams
 };
 
 }  // namespace

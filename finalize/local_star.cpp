@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <optional>
 
+#include "base/sort_unique.h"
 #include "finalize/workshop.h"
 
 namespace octet {
@@ -128,8 +129,7 @@ void dress_triangles(const Workshop& shop, LocalStar& star, const Fit& before, d
     star.normals.push_back({nx, ny});
     star.faces.push_back(triangle.face);
   }
-  std::sort(star.faces.begin(), star.faces.end());
-  star.faces.erase(std::unique(star.faces.begin(), star.faces.end()), star.faces.end());
+  sort_unique(star.faces);
 }
 
 Stand current_stand(const Workshop& shop, VertexId v, const LocalStar& star) {

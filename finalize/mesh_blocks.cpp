@@ -10,6 +10,7 @@
 #include <span>
 
 #include "base/blocks.h"
+#include "base/sort_unique.h"
 #include "mesh/sort_triple.h"
 #include "mesh/tet_mesh.h"
 
@@ -186,8 +187,7 @@ void MeshBlocks::add_triangles_and_edges(std::size_t block, const std::vector<In
   }
   const auto add = [&](std::vector<Index>& from, const auto& elements, const auto& on, auto& to,
                        auto& to_on) {
-    std::sort(from.begin(), from.end());
-    from.erase(std::unique(from.begin(), from.end()), from.end());
+    sort_unique(from);
     for (const Index i : from) {
       const auto element = renumbered(elements[i], number);
       if (std::find(element.begin(), element.end(), kNone) != element.end()) continue;  // of no tetrahedron

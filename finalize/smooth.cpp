@@ -180,12 +180,6 @@ Vec3 neighbour_average(const LocalStar& star) {
   return sum / count;
 }
 
-double worst_quality(const WorkMesh& mesh, const std::vector<TetId>& tets) {
-  double worst = 1.0;
-  for (const TetId t : tets) worst = std::min(worst, mesh.quality[t]);
-  return worst;
-}
-
 }  // namespace
 
 std::vector<MeasureChange> changes_by_move(const Workshop& shop, VertexId v, std::span<const TetId> tets,

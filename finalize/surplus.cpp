@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "base/sort_unique.h"
 #include "finalize/collapse.h"
 
 namespace octet {
@@ -16,8 +17,7 @@ std::vector<VertexId> neighbours_on_edge(const WorkMesh& mesh, VertexId v, const
   for (const TetId t : tets)
     for (const VertexId w : mesh.tets[t])
       if (w != v && piece_on(mesh, v, w) != 0) found.push_back(w);
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
+  sort_unique(found);
   return found;
 }
 

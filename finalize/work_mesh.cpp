@@ -16,11 +16,11 @@
 namespace octet {
 namespace {
 
-using Triple = std::array<std::uint32_t, 3>;
+using FaceKey = std::array<std::uint32_t, 3>;
 
 /// The vertices of face f of t in ascending order, and whether its outward listing is odd.
 struct FaceName {
-  Triple key{};
+  FaceKey key{};
   bool odd = false;
 };
 
@@ -57,16 +57,16 @@ class MetFaces {
   };
 
   /// Null where the face has not been met.
-  [[nodiscard]] const Side* find(const Triple& key) const {
+  [[nodiscard]] const Side* find(const FaceKey& key) const {
     const std::uint64_t rest = rest_of(key);
     for (std::uint32_t i = begin_[key[0]]; i < end_[key[0]]; ++i)
       if (sides_[i].rest == rest) return &sides_[i];
     return nullptr;
   }
-  void add(const Triple& key, TetId t, int f) { sides_[end_[key[0]]++] = {rest_of(key), t, f}; }
+  void add(const FaceKey& key, TetId t, int f) { sides_[end_[key[0]]++] = {rest_of(key), t, f}; }
 
  private:
-  static std::uint64_t rest_of(const Triple& key) { return std::uint64_t{key[1]} << 32 | key[2]; }
+  static std::uint64_t rest_of(const FaceKey& key) { return std::uint64_t{key[1]} << 32 | key[2]; }
   std::vector<std::uint32_t> begin_, end_;
   std::vector<Side> sides_;
 };
@@ -75,7 +75,7 @@ void link_neighbours(WorkMesh& work, MetFaces& faces) {
   for (std::size_t i = 0; i < work.tets.size(); ++i) {
     const TetId t(i);
     for (int f = 0; f < 4; ++f) {
-      const Triple key = name_of(work, t, f).key;
+      const FaceKey key = name_of(work, t, f).key;
       if (const MetFaces::Side* met = faces.find(key)) {
         OCTET_CHECK(!work.neighbours[met->tet][met->face].valid());  // no face has three tetrahedra
         work.neighbours[t][f] = met->tet;
@@ -89,7 +89,7 @@ void link_neighbours(WorkMesh& work, MetFaces& faces) {
 
 void tag_faces(WorkMesh& work, const Mesh& mesh, const MetFaces& faces) {
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    Triple key{mesh.triangles[i][0], mesh.triangles[i][1], mesh.triangles[i][2]};
+    FaceKey key{mesh.triangles[i][0], mesh.triangles[i][1], mesh.triangles[i][2]};
     const bool odd = sort_triple(key);
     const MetFaces::Side* met = faces.find(key);
     OCTET_CHECK(met != nullptr);
@@ -377,6 +377,12 @@ bool edge_ring(const WorkMesh& mesh, TetId t, VertexId a, VertexId b, EdgeRing& 
     }
     if (first == start) return true;
   }
+}
+
+double worst_quality(const WorkMesh& mesh, const std::vector<TetId>& tets) {
+  double worst = 1.0;
+  for (const TetId t : tets) worst = std::min(worst, mesh.quality[t]);
+  return worst;
 }
 
 bool is_whole(WorkMesh& mesh, const EdgeRing& ring) {

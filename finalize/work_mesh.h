@@ -92,6 +92,9 @@ void close_journal(WorkMesh& mesh);
 /// Closes it; the mesh is as it was when it was opened, but for marks of walks.
 void take_back(WorkMesh& mesh);
 
+/// The least quality among `tets`; 1 of none.
+[[nodiscard]] double worst_quality(const WorkMesh& mesh, const std::vector<TetId>& tets);
+
 [[nodiscard]] inline std::uint64_t piece_key(VertexId a, VertexId b) {
   const std::uint64_t lo = a < b ? a.index() : b.index(), hi = a < b ? b.index() : a.index();
   return (hi << 32) | lo;

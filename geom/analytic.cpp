@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/check.h"
+#include "base/constants.h"
 #include "geom/analytic_faces.h"
 #include "geom/conics.h"
 #include "geom/quadrics.h"
@@ -14,8 +15,6 @@
 
 namespace octet {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 /// Corners of a box in the order x fastest, then y, then z.
 std::vector<Vec3> box_corners(const Vec3& lo, const Vec3& hi) {

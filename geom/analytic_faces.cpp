@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "base/constants.h"
 #include "geom/conics.h"
 #include "geom/quadrics.h"
 #include "geom/uv_trims.h"
@@ -14,7 +15,6 @@
 namespace octet {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 /// Trims call a point "on" within this share of the face's size.
 constexpr double kOnShare = 1e-12;
 

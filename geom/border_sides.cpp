@@ -3,13 +3,13 @@
 #include "geom/border_sides.h"
 
 #include <algorithm>
-#include <limits>
 #include <tuple>
+
+#include "base/constants.h"
+#include "base/sort_unique.h"
 
 namespace octet {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// One use of a facet side by a triangle.
 struct SideUse {
@@ -40,8 +40,7 @@ std::vector<int> real_edges(const ModelParts& parts, int face, bool slits) {
     if (edge.use == EdgeUse::kReal && parts.curves[b.edge] && (!slits || edge.faces.size() == 1))
       edges.push_back(b.edge);
   }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  sort_unique(edges);
   return edges;
 }
 

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/constants.h"
+
 namespace octet {
 namespace {
-
-constexpr double kEps = std::numeric_limits<double>::epsilon();
 
 class Line final : public Curve {
  public:

@@ -13,7 +13,7 @@ namespace octet {
 namespace {
 
 /// Facets of faces that touch are turned against each other, but for what these bend between two corners.
-constexpr double kOpposed = -0.7;
+constexpr double kBackToBack = -0.7;
 
 struct Facet {
   std::array<Vec3, 3> corner;
@@ -125,7 +125,7 @@ class Pair {
                         [&](std::uint32_t i) { about.push_back(i); });
       std::sort(about.begin(), about.end());
       for (const std::uint32_t i : about) {
-        if (facet->normal.dot(others[i]->normal) > kOpposed) continue;
+        if (facet->normal.dot(others[i]->normal) > kBackToBack) continue;
         const auto shared = shared_by(*facet, *others[i], facets_near_);
         if (!shared || !touch_at(shared->middle)) continue;
         contact.area += shared->area;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/sort_unique.h"
 #include "geom/facet_bvh.h"
 
 namespace octet {
@@ -70,8 +71,7 @@ std::vector<FacePartner> face_partners(const Model& model, ModelRef on, const Ve
     const int face = model.facets().face[f.triangle];
     if (!model.in_closure(on, model_face(face))) faces.push_back(face);
   });
-  std::sort(faces.begin(), faces.end());
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  sort_unique(faces);
   std::vector<FacePartner> partners;
   const bool is_edge = tangent.squaredNorm() > 0.0;
   for (const int face : faces) {

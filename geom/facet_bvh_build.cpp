@@ -4,16 +4,14 @@
 #include <oneapi/tbb/parallel_invoke.h>
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 
 #include "base/check.h"
+#include "base/constants.h"
 #include "geom/facet_bvh.h"
 
 namespace octet {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double half_area(const Box3& box) {
   if (box.empty()) return 0.0;

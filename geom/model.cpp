@@ -5,18 +5,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <string_view>
 #include <tuple>
 
 #include "base/check.h"
+#include "base/constants.h"
 #include "geom/facet_trim.h"
 #include "geom/model_data.h"
 
 namespace octet {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 template <class T>
 const T& tagged(const std::vector<T>& items, int tag) {

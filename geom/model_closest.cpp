@@ -3,21 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "base/constants.h"
 #include "geom/facet_trim.h"
 #include "geom/model_data.h"
 
 namespace octet {
-namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-}  // namespace
-
 const FacetFoot& nearest_of(const std::vector<FacetFoot>& near) {
   return *std::min_element(near.begin(), near.end(), [](const FacetFoot& a, const FacetFoot& b) {
     return a.distance != b.distance ? a.distance < b.distance : a.triangle < b.triangle;

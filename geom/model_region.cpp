@@ -3,18 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "base/constants.h"
 #include "geom/model_data.h"
 
 namespace octet {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// On which side of a nearest point x does p lie? x may be a face's, an edge's or a vertex' point. The sum of
 /// the normals that point out of a region, each weighted by the angle of its facet at x, has a positive

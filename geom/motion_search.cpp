@@ -2,22 +2,18 @@
 // Candidates from vertices; each is tried on all vertices, edges and faces.
 #include "geom/motion_search.h"
 
-#include <Eigen/Geometry>
+#include <Eigen/Eigenvalues>
+#include <Eigen/SVD>
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 
+#include "base/sort_unique.h"
 #include "geom/facets.h"
 
 namespace octet {
 namespace {
-
-void sort_once(std::vector<int>& tags) {
-  std::sort(tags.begin(), tags.end());
-  tags.erase(std::unique(tags.begin(), tags.end()), tags.end());
-}
 
 /// Places that a motion has to take onto edges, of one edge, its ends left out.
 std::array<Vec3, 3> quarters_of(const Model& model, int tag) {
@@ -185,19 +181,27 @@ Motion refined(const Motion& motion, const Closure& from, const Closure& to, dou
     for (const Vec3& q : to.corners)
       if ((motion(p) - q).norm() <= tolerance) pairs.emplace_back(p, q);
   if (pairs.empty()) return motion;
-  Eigen::Matrix3Xd a(3, pairs.size()), b(3, pairs.size());
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    a.col(static_cast<Eigen::Index>(i)) = pairs[i].first;
-    b.col(static_cast<Eigen::Index>(i)) = pairs[i].second;
+  if (motion.turn == Eigen::Matrix3d::Identity() || pairs.size() < 3) return motion;
+  Vec3 from_mean = Vec3::Zero(), to_mean = Vec3::Zero();
+  for (const auto& [p, q] : pairs) {
+    from_mean += p / static_cast<double>(pairs.size());
+    to_mean += q / static_cast<double>(pairs.size());
   }
-  if (motion.turn == Eigen::Matrix3d::Identity()) return motion;
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero(), both = Eigen::Matrix3d::Zero();
+  for (const auto& [p, q] : pairs) {
+    spread += (p - from_mean) * (p - from_mean).transpose();
+    both += (q - to_mean) * (p - from_mean).transpose();
+  }
   // Vertices on a line tell no rotation.
-  const Eigen::Matrix3Xd centred = a.colwise() - a.rowwise().mean();
-  if (pairs.size() < 3 ||
-      Eigen::JacobiSVD<Eigen::Matrix3Xd>(centred).singularValues()[1] < 1e-3 * centred.norm())
-    return motion;
-  const Eigen::Matrix4d all = Eigen::umeyama(a, b, false);
-  return {all.topLeftCorner<3, 3>(), all.topRightCorner<3, 1>()};
+  constexpr double kLine = 1e-3;  // square root of a moment, of all
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> moments(spread, Eigen::EigenvaluesOnly);
+  if (moments.eigenvalues()[1] < kLine * kLine * spread.trace()) return motion;
+  // The rotation of least squares, and no reflection where all lie in a plane.
+  const Eigen::JacobiSVD<Eigen::Matrix3d> axes(both, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const double hand = axes.matrixU().determinant() * axes.matrixV().determinant() < 0.0 ? -1.0 : 1.0;
+  const Eigen::Matrix3d turn =
+      axes.matrixU() * Eigen::DiagonalMatrix<double, 3>(1.0, 1.0, hand) * axes.matrixV().transpose();
+  return {turn, to_mean - turn * from_mean};
 }
 
 }  // namespace
@@ -206,7 +210,7 @@ std::vector<int> vertices_of(const Model& model, const std::vector<int>& faces) 
   std::vector<int> vertices;
   for (const int f : faces)
     vertices.insert(vertices.end(), model.face(f).vertices.begin(), model.face(f).vertices.end());
-  sort_once(vertices);
+  sort_unique(vertices);
   return vertices;
 }
 
@@ -215,7 +219,7 @@ std::vector<int> edges_of(const Model& model, const std::vector<int>& faces) {
   for (const int f : faces)
     for (const FaceBoundary& side : model.face(f).boundary)
       if (model.edge(side.edge).use == EdgeUse::kReal) edges.push_back(side.edge);
-  sort_once(edges);
+  sort_unique(edges);
   return edges;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/sort_unique.h"
 #include "geom/arc_length.h"
 
 namespace octet {
@@ -12,11 +13,6 @@ namespace {
 
 /// Deviations are sampled; the factor covers what lies between the samples.
 constexpr double kInflation = 1.5;
-
-void sort_unique(std::vector<int>& tags) {
-  std::sort(tags.begin(), tags.end());
-  tags.erase(std::unique(tags.begin(), tags.end()), tags.end());
-}
 
 }  // namespace
 

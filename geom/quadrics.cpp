@@ -4,12 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
+
+#include "base/constants.h"
 
 namespace octet {
 namespace {
-
-constexpr double kEps = std::numeric_limits<double>::epsilon();
 
 /// Rounding of local coordinates: what a computed distance may be wrong by.
 double rounding(const Axes3& axes, const Vec3& p, const Vec3& q, double size) {

@@ -32,7 +32,7 @@ constexpr double kFinestRegionShare = 1.0 / 32768.0;
 
 /// Facets sampled between two questions whether to go on: at the limit of elements they have few samples
 /// each.
-constexpr std::size_t kFacetsAQuestion = 64;
+constexpr std::size_t kFacetsBetweenQuestions = 64;
 
 double attribute_size(const Model& model, const SizeAttribute& attribute, ModelRef entity) {
   return attribute.elements > 0 ? model.edge(entity.tag).length / attribute.elements : attribute.size;
@@ -170,7 +170,7 @@ class Planner {
     Wishes wishes(plan_.size, control_.min_size);
     const Facets& facets = model_.facets();
     for (std::size_t t = 0; t < facets.triangles.size(); ++t) {
-      if (t % kFacetsAQuestion == 0) ask();
+      if (t % kFacetsBetweenQuestions == 0) ask();
       for (const int region : model_.face(facets.face[t]).region)
         if (region != 0 && sizes[static_cast<std::size_t>(region)] < kNoSize)
           wish_on_triangle(facet_corners(facets, t), sizes[static_cast<std::size_t>(region)],
@@ -206,7 +206,7 @@ class Planner {
     const Facets& facets = model_.facets();
     for (std::size_t t = 0; t < facets.triangles.size(); ++t) {
       if (facets.face[t] != face) continue;
-      if (asked_++ % kFacetsAQuestion == 0) ask();
+      if (asked_++ % kFacetsBetweenQuestions == 0) ask();
       wish_on_triangle(facet_corners(facets, t), size, who, wishes);
     }
   }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "base/sort_unique.h"
 #include "geom/closest_word.h"
 #include "geom/entity_foot.h"
 #include "geom/size_attributes.h"
@@ -83,8 +84,7 @@ int last_number(const Model& model, const SizeAttribute& attribute) {
 }
 
 std::vector<ModelRef> each_once(std::vector<ModelRef> entities) {
-  std::sort(entities.begin(), entities.end());
-  entities.erase(std::unique(entities.begin(), entities.end()), entities.end());
+  sort_unique(entities);
   return entities;
 }
 

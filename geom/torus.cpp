@@ -4,12 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
+
+#include "base/constants.h"
 
 namespace octet {
 namespace {
-
-constexpr double kEps = std::numeric_limits<double>::epsilon();
 
 /// A polynomial of degree N on [0,1] in Bernstein form: its coefficients bound it.
 template <int N>

@@ -24,7 +24,7 @@ namespace octet {
 namespace {
 
 /// Least cosine between a sheet's normal and a ray that meets it face on: normals 135 degrees apart and more.
-constexpr double kFacing = 0.7071;
+constexpr double kFacesTheProbe = 0.7071;
 
 /// Facets that one task looks from, and that all do between two questions whether to go on.
 constexpr std::size_t kFacetsATask = 64, kFacetsAQuestion = 2048;
@@ -263,7 +263,7 @@ class WallSizer {
   [[nodiscard]] bool is_sheet(std::uint32_t t, const Probe& probe) const {
     const auto& near = search_.neighbours[static_cast<std::size_t>(probe.face)];
     if (std::binary_search(near.begin(), near.end(), facets_.face[t])) return false;
-    return std::abs(normals_[t].dot(probe.direction)) > kFacing;
+    return std::abs(normals_[t].dot(probe.direction)) > kFacesTheProbe;
   }
 
   /// Length along the probe's direction to the next facet ahead from number `first` on, infinite where that

@@ -41,7 +41,7 @@ double rounded_up(double value) {
 }
 
 /// Sums over an attribute's entities of their measures over the powers of their sizes.
-struct Pieces {
+struct WishPieces {
   std::array<double, 4> of{};
 
   void add(int dim, double measure, double size) {
@@ -92,9 +92,9 @@ double volume_within(const Model& model, const SizeAttribute& shape) {
   return step.prod() * within;
 }
 
-Pieces pieces_of(const Model& model, const SizeAttribute& attribute, const SizedEntities& sized,
-                 double coarsest, double most) {
-  Pieces pieces;
+WishPieces pieces_of(const Model& model, const SizeAttribute& attribute, const SizedEntities& sized,
+                     double coarsest, double most) {
+  WishPieces pieces;
   for (const auto& [entity, size] : sized) {
     if (size >= coarsest) continue;
     if (entity.dim == 1) pieces.add(1, model.edge(entity.tag).length, size);
@@ -102,7 +102,7 @@ Pieces pieces_of(const Model& model, const SizeAttribute& attribute, const Sized
     if (entity.dim == 3) pieces.add(3, std::abs(model.region(entity.tag).volume), size);
   }
   if (!sized.empty() || attribute.size >= coarsest) return pieces;
-  Pieces whole;
+  WishPieces whole;
   whole.add(3, shape_volume(attribute), attribute.size);
   if (whole.elements(1.0) <= most) return whole;
   pieces.add(3, volume_within(model, attribute), attribute.size);
@@ -129,7 +129,7 @@ WishCost wish_cost(const Model& model, const SizeAttribute& attribute, const Siz
                    double coarsest, std::size_t max_elements) {
   constexpr double kStep = 1.05;
   const auto most = static_cast<double>(max_elements);
-  const Pieces pieces = pieces_of(model, attribute, sized, coarsest, most);
+  const WishPieces pieces = pieces_of(model, attribute, sized, coarsest, most);
   const double elements = pieces.elements(1.0);
   double scale = 1.0;
   if (std::isfinite(elements))

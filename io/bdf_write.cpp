@@ -19,25 +19,25 @@
 namespace octet {
 namespace {
 
-constexpr std::size_t kBlock = 16384;
-constexpr std::size_t kLongestName = 60;
+constexpr std::size_t kLongestBdfName = 60;
 constexpr std::size_t kFields = 8;                 // of a line, behind the entry's name
 constexpr std::size_t kWide = 16, kDigits = 15;    // a blank sets fields apart for readers that count none
 constexpr const char* kContinued = "+\n+       ";  // some readers take blanks for no continuation
 
-void write_nodes(OutputFile& file, const Mesh& mesh, double scale) {
-  file.write_blocks(node_count(mesh), kBlock, [&](std::size_t first, std::size_t last, std::string& bytes) {
-    for (std::size_t v = first; v < last; ++v) {
-      const Vec3 p = node_point(mesh, static_cast<std::uint32_t>(v)) * scale;
-      fmt::format_to(std::back_inserter(bytes), "GRID*   {:16}{:16}{}{}*\n*       {}\n", v + 1, "",
-                     wide_field(p.x()), wide_field(p.y()), wide_field(p.z()));
-    }
-  });
+void write_bdf_nodes(OutputFile& file, const Mesh& mesh, double scale) {
+  file.write_blocks(node_count(mesh), kItemsATask,
+                    [&](std::size_t first, std::size_t last, std::string& bytes) {
+                      for (std::size_t v = first; v < last; ++v) {
+                        const Vec3 p = node_point(mesh, static_cast<std::uint32_t>(v)) * scale;
+                        fmt::format_to(std::back_inserter(bytes), "GRID*   {:16}{:16}{}{}*\n*       {}\n",
+                                       v + 1, "", wide_field(p.x()), wide_field(p.y()), wide_field(p.z()));
+                      }
+                    });
 }
 
 void write_elements(OutputFile& file, const Mesh& mesh, int property,
                     const std::vector<std::uint32_t>& tets) {
-  file.write_blocks(tets.size(), kBlock, [&](std::size_t first, std::size_t last, std::string& bytes) {
+  file.write_blocks(tets.size(), kItemsATask, [&](std::size_t first, std::size_t last, std::string& bytes) {
     auto out = std::back_inserter(bytes);
     for (std::size_t i = first; i < last; ++i) {
       const auto& v = mesh.tets[tets[i]];
@@ -65,14 +65,16 @@ void write_set(OutputFile& file, int number, const std::vector<std::uint64_t>& n
 /// Pressure on a CTETRA is given by a corner of the side and the corner off it.
 void write_pressure(OutputFile& file, const Mesh& mesh, const FaceSides& sides, int load,
                     const std::vector<std::uint32_t>& triangles) {
-  file.write_blocks(triangles.size(), kBlock, [&](std::size_t first, std::size_t last, std::string& bytes) {
-    for (std::size_t i = first; i < last; ++i) {
-      const auto side = sides.of(mesh.triangles[triangles[i]]);
-      if (!side) continue;  // a triangle of no tetrahedron has no side to press on
-      fmt::format_to(std::back_inserter(bytes), "PLOAD4  {:8}{:8}{:8}{:24}{:8}{:8}\n", load, side->tet + 1,
-                     "1.", "", mesh.triangles[triangles[i]][0] + 1, mesh.tets[side->tet][side->lacking] + 1);
-    }
-  });
+  file.write_blocks(triangles.size(), kItemsATask,
+                    [&](std::size_t first, std::size_t last, std::string& bytes) {
+                      for (std::size_t i = first; i < last; ++i) {
+                        const auto side = sides.of(mesh.triangles[triangles[i]]);
+                        if (!side) continue;  // a triangle of no tetrahedron has no side to press on
+                        fmt::format_to(std::back_inserter(bytes), "PLOAD4  {:8}{:8}{:8}{:24}{:8}{:8}\n", load,
+                                       side->tet + 1, "1.", "", mesh.triangles[triangles[i]][0] + 1,
+                                       mesh.tets[side->tet][side->lacking] + 1);
+                      }
+                    });
 }
 
 }  // namespace
@@ -95,14 +97,14 @@ void write_bdf(OutputFile& file, const Mesh& mesh, const ModelOutline& outline, 
   constexpr std::size_t kMost = 99'999'999;
   if (std::max(node_count(mesh), mesh.tets.size()) > kMost)
     throw OutputError("the mesh is too large for a .bdf file; use MSH 4.1");
-  const SetNames names = set_names(complete_outline(outline, mesh), kLongestName);
+  const SetNames names = set_names(complete_outline(outline, mesh), kLongestBdfName);
   const ElementGroups groups = group_elements(mesh);
   const auto comment = [&](ModelRef entity, const char* what) {
     const std::string own = entity_name(entity), &name = names.of.at(entity);
     return fmt::format("$ {}{}: {}\n", own, name == own ? "" : ", " + name, what);
   };
   file.write("$ mesh by Octet: bulk data, to be included behind BEGIN BULK\n");
-  write_nodes(file, mesh, scale);
+  write_bdf_nodes(file, mesh, scale);
   for (const auto& group : groups.items) {
     const ModelRef entity = group.first;
     if (entity.dim != 3) continue;

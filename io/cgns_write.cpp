@@ -21,18 +21,18 @@
 namespace octet {
 namespace {
 
-constexpr std::size_t kLongestName = 32, kTypeName = 2, kVersionText = 32;
-constexpr float kVersion = 3.1f;
+constexpr std::size_t kLongestCgnsName = 32, kTypeName = 2, kVersionText = 32;
+constexpr float kCgnsVersion = 3.1f;
 /// Beside families, no name of which has a space.
 constexpr const char* kZoneName = "Zone 1";
 
 /// An element's number, its nodes, and the place in CGNS' order of each in MSH's.
-struct Element {
+struct CgnsElement {
   std::int32_t type;
   std::size_t nodes;
   std::size_t places[kMostNodes];
 };
-constexpr Element kElements[2][4] = {
+constexpr CgnsElement kCgnsElements[2][4] = {
     {{}, {}, {5, 3, {0, 1, 2}}, {10, 4, {0, 1, 2, 3}}},
     {{}, {}, {6, 6, {0, 1, 2, 3, 4, 5}}, {11, 10, {0, 1, 2, 3, 4, 5, 6, 7, 9, 8}}}};
 
@@ -80,8 +80,8 @@ class CgnsFile {
   }
 
   void describe(const std::string& path, const std::string& name, const char* label, const char* type) {
-    file_.attribute(path, "name", name, kLongestName);
-    file_.attribute(path, "label", label, kLongestName);
+    file_.attribute(path, "name", name, kLongestCgnsName);
+    file_.attribute(path, "label", label, kLongestCgnsName);
     file_.attribute(path, "type", type, kTypeName);
   }
 
@@ -101,7 +101,7 @@ class Sections {
 
   /// A section of elements of a dimension; returns the numbers of the first and the last.
   std::vector<std::int32_t> add(const std::string& name, int dim, const std::vector<std::uint32_t>& items) {
-    const Element& kind = kElements[mesh_.mid.empty() ? 0 : 1][dim];
+    const CgnsElement& kind = kCgnsElements[mesh_.mid.empty() ? 0 : 1][dim];
     const std::uint64_t length = items.size() * kind.nodes;
     if (length > std::numeric_limits<std::int32_t>::max()) throw too_large();
     const std::vector<std::int32_t> range{next_, next_ + static_cast<std::int32_t>(items.size()) - 1};
@@ -156,10 +156,10 @@ void write_cgns(OutputFile& output, const Mesh& mesh, const ModelOutline& outlin
   constexpr std::uint64_t kMost = std::numeric_limits<std::int32_t>::max();
   if (nodes > kMost || mesh.tets.size() + mesh.triangles.size() > kMost) throw Sections::too_large();
   const ElementGroups groups = group_elements(mesh);
-  const SetNames names = set_names(complete_outline(outline, mesh), kLongestName);
+  const SetNames names = set_names(complete_outline(outline, mesh), kLongestCgnsName);
   CgnsFile file(output);
   file.array<float>("", "CGNSLibraryVersion", "CGNSLibraryVersion_t", "R4", {1},
-                    [](std::uint64_t) { return kVersion; });
+                    [](std::uint64_t) { return kCgnsVersion; });
   const std::string base = file.numbers("", "mesh", "CGNSBase_t", {2}, {3, 3});
   const std::string zone =
       file.numbers(base, kZoneName, "Zone_t", {3, 1},

@@ -26,19 +26,19 @@ namespace {
 using Type = NetcdfClassic::Type;
 using Dimension = NetcdfClassic::Dimension;
 
-constexpr std::size_t kBlock = 65536;
-constexpr std::size_t kLongestName = 32;
-constexpr float kVersion = 8.03F;  // of the format
+constexpr std::size_t kExodusBlock = 65536;
+constexpr std::size_t kLongestExodusName = 32;
+constexpr float kExodusVersion = 8.03F;  // of the format
 
 /// The side of a TETRA or TETRA10 by the local number of the vertex that it lacks: side 1 is 1-2-4, side 2
 /// 2-3-4, side 3 1-4-3, side 4 1-3-2.
-constexpr std::int32_t kSideWithout[4] = {2, 3, 1, 4};
+constexpr std::int32_t kExodusSideWithout[4] = {2, 3, 1, 4};
 
 /// Writes value(i) of i below n.
 template <class Value>
 std::function<void(OutputFile&)> each(std::size_t n, Value value) {
   return [n, value = std::move(value)](OutputFile& file) {
-    file.write_blocks(n, kBlock, [&](std::size_t first, std::size_t last, std::string& bytes) {
+    file.write_blocks(n, kExodusBlock, [&](std::size_t first, std::size_t last, std::string& bytes) {
       for (std::size_t i = first; i < last; ++i) append_file_order(bytes, value(i));
     });
   };
@@ -49,11 +49,11 @@ std::function<void(OutputFile&)> ints(std::vector<std::int32_t> values) {
   return each(n, [values = std::move(values)](std::size_t i) { return values[i]; });
 }
 
-/// Texts in fields of kLongestName + 1 characters.
+/// Texts in fields of kLongestExodusName + 1 characters.
 std::function<void(OutputFile&)> texts(std::vector<std::string> values) {
   return [values = std::move(values)](OutputFile& file) {
     for (std::string text : values) {
-      text.resize(kLongestName + 1, '\0');
+      text.resize(kLongestExodusName + 1, '\0');
       file.write(text);
     }
   };
@@ -81,7 +81,7 @@ class ExodusFile {
       : mesh_(mesh),
         scale_(scale),
         groups_(group_elements(mesh)),
-        names_(set_names(complete_outline(outline, mesh), kLongestName)) {
+        names_(set_names(complete_outline(outline, mesh), kLongestExodusName)) {
     head();
     blocks();
     sides();
@@ -106,15 +106,15 @@ class ExodusFile {
 };
 
 void ExodusFile::head() {
-  netcdf_.attribute("api_version", kVersion);
-  netcdf_.attribute("version", kVersion);
+  netcdf_.attribute("api_version", kExodusVersion);
+  netcdf_.attribute("version", kExodusVersion);
   netcdf_.attribute("floating_point_word_size", std::int32_t{8});
   netcdf_.attribute("file_size", std::int32_t{1});
-  netcdf_.attribute("maximum_name_length", static_cast<std::int32_t>(kLongestName));
+  netcdf_.attribute("maximum_name_length", static_cast<std::int32_t>(kLongestExodusName));
   netcdf_.attribute("int64_status", std::int32_t{0});
   netcdf_.attribute("title", std::string("mesh by Octet"));
-  netcdf_.dimension("len_string", kLongestName + 1);
-  name_ = netcdf_.dimension("len_name", kLongestName + 1);
+  netcdf_.dimension("len_string", kLongestExodusName + 1);
+  name_ = netcdf_.dimension("len_name", kLongestExodusName + 1);
   netcdf_.dimension("len_line", 81);
   netcdf_.dimension("four", 4);
   const Dimension time = netcdf_.records("time_step");
@@ -175,16 +175,17 @@ void ExodusFile::blocks() {
     const Dimension many = netcdf_.dimension(fmt::format("num_el_in_blk{}", block), tets.size());
     const Dimension each_has = netcdf_.dimension(fmt::format("num_nod_per_el{}", block), corners);
     const auto write = [this, &tets, second](OutputFile& file) {
-      file.write_blocks(tets.size(), kBlock, [&](std::size_t first, std::size_t last, std::string& bytes) {
-        for (std::size_t i = first; i < last; ++i) {
-          for (const Mesh::Index v : mesh_.tets[tets[i]])
-            append_file_order(bytes, static_cast<std::int32_t>(v + 1));
-          if (!second) continue;
-          for (const std::size_t k : kVtkTetMid)
-            append_file_order(
-                bytes, static_cast<std::int32_t>(mesh_.points.size() + mesh_.mid.of_tets[tets[i]][k] + 1));
-        }
-      });
+      file.write_blocks(
+          tets.size(), kExodusBlock, [&](std::size_t first, std::size_t last, std::string& bytes) {
+            for (std::size_t i = first; i < last; ++i) {
+              for (const Mesh::Index v : mesh_.tets[tets[i]])
+                append_file_order(bytes, static_cast<std::int32_t>(v + 1));
+              if (!second) continue;
+              for (const std::size_t k : kVtkTetMid)
+                append_file_order(bytes, static_cast<std::int32_t>(mesh_.points.size() +
+                                                                   mesh_.mid.of_tets[tets[i]][k] + 1));
+            }
+          });
     };
     netcdf_.variable(fmt::format("connect{}", block), Type::kInt, {many, each_has}, write,
                      {{"elem_type", std::string(second ? "TETRA10" : "TETRA")}});
@@ -200,7 +201,7 @@ void ExodusFile::sides() {
       const auto side = sides.of(mesh_.triangles[i]);
       if (!side) continue;  // a triangle of no tetrahedron has no side to tell
       members.items.push_back(place_[side->tet]);
-      members.sides.push_back(kSideWithout[side->lacking]);
+      members.sides.push_back(kExodusSideWithout[side->lacking]);
     }
     all.push_back(std::move(members));
   };

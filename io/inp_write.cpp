@@ -17,31 +17,31 @@
 namespace octet {
 namespace {
 
-constexpr std::size_t kBlock = 16384;
-constexpr std::size_t kPerLine = 16;      // the most that a line may hold
-constexpr std::size_t kLongestName = 60;  // of the 80 that Abaqus allows
+constexpr std::size_t kPerLine = 16;         // the most that a line may hold
+constexpr std::size_t kLongestInpName = 60;  // of the 80 that Abaqus allows
 
 /// The side of a C3D4 or C3D10 by the local number of the vertex that it lacks: S1 is 1-2-3, S2 1-4-2, S3
 /// 2-4-3, S4 3-4-1.
-constexpr int kSideWithout[4] = {3, 4, 2, 1};
+constexpr int kInpSideWithout[4] = {3, 4, 2, 1};
 
-void write_nodes(OutputFile& file, const Mesh& mesh, double scale) {
+void write_inp_nodes(OutputFile& file, const Mesh& mesh, double scale) {
   file.write("*NODE, NSET=Nall\n");
-  file.write_blocks(node_count(mesh), kBlock, [&](std::size_t first, std::size_t last, std::string& bytes) {
-    auto out = std::back_inserter(bytes);
-    for (std::size_t v = first; v < last; ++v) {
-      const Vec3 p = node_point(mesh, static_cast<std::uint32_t>(v)) * scale;
-      // CalculiX reads the first twenty characters of a number.
-      fmt::format_to(out, "{}, {:.12e}, {:.12e}, {:.12e}\n", v + 1, p.x(), p.y(), p.z());
-    }
-  });
+  file.write_blocks(node_count(mesh), kItemsATask,
+                    [&](std::size_t first, std::size_t last, std::string& bytes) {
+                      auto out = std::back_inserter(bytes);
+                      for (std::size_t v = first; v < last; ++v) {
+                        const Vec3 p = node_point(mesh, static_cast<std::uint32_t>(v)) * scale;
+                        // CalculiX reads the first twenty characters of a number.
+                        fmt::format_to(out, "{}, {:.12e}, {:.12e}, {:.12e}\n", v + 1, p.x(), p.y(), p.z());
+                      }
+                    });
 }
 
 void write_elements(OutputFile& file, const Mesh& mesh, const std::string& name,
                     const std::vector<std::uint32_t>& tets) {
   const bool second = !mesh.mid.empty();
   file.write(fmt::format("*ELEMENT, TYPE={}, ELSET={}\n", second ? "C3D10" : "C3D4", name));
-  file.write_blocks(tets.size(), kBlock, [&](std::size_t first, std::size_t last, std::string& bytes) {
+  file.write_blocks(tets.size(), kItemsATask, [&](std::size_t first, std::size_t last, std::string& bytes) {
     auto out = std::back_inserter(bytes);
     for (std::size_t i = first; i < last; ++i) {
       const auto& v = mesh.tets[tets[i]];
@@ -88,7 +88,7 @@ void write_surface(OutputFile& file, const Mesh& mesh, const FaceSides& sides, c
   std::string text = fmt::format("*SURFACE, NAME={}, TYPE=ELEMENT\n", name);
   for (const std::uint32_t i : triangles)
     if (const auto side = sides.of(mesh.triangles[i]))  // a triangle of no tetrahedron has no side to tell
-      text += fmt::format("{}, S{}\n", side->tet + 1, kSideWithout[side->lacking]);
+      text += fmt::format("{}, S{}\n", side->tet + 1, kInpSideWithout[side->lacking]);
   file.write(text);
 }
 
@@ -112,10 +112,10 @@ void write_inp(OutputFile& file, const Mesh& mesh, const ModelOutline& outline, 
   constexpr std::size_t kMost = std::numeric_limits<int>::max();
   if (std::max(node_count(mesh), mesh.tets.size()) > kMost)
     throw OutputError("the mesh is too large for an .inp file; use MSH 4.1");
-  const SetNames names = set_names(complete_outline(outline, mesh), kLongestName);
+  const SetNames names = set_names(complete_outline(outline, mesh), kLongestInpName);
   const ElementGroups groups = group_elements(mesh);
   file.write("*HEADING\nmesh by Octet\n");
-  write_nodes(file, mesh, scale);
+  write_inp_nodes(file, mesh, scale);
   for (const auto& [ref, items] : groups.items)
     if (ref.dim == 3) write_elements(file, mesh, names.of.at(ref), items);
   const FaceSides sides(mesh);

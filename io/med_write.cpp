@@ -19,7 +19,7 @@
 namespace octet {
 namespace {
 
-constexpr std::size_t kLongestName = 24;
+constexpr std::size_t kLongestMedName = 24;
 constexpr std::size_t kGroupName = 80, kAxisName = 16, kDescription = 200;
 constexpr const char* kMesh = "/ENS_MAA/mesh";
 constexpr const char* kFamilies = "/FAS/mesh";
@@ -28,13 +28,13 @@ constexpr const char* kStep = "/ENS_MAA/mesh/-0000000000000000001-00000000000000
 constexpr const char* kNoProfile = "MED_NO_PROFILE_INTERNAL";
 
 /// An element's name, number of nodes, and these by their places in MSH's.
-struct Element {
+struct MedElement {
   const char* name;
   std::int32_t geometry;
   std::size_t nodes;
   std::size_t places[kMostNodes];
 };
-constexpr Element kElements[2][4] = {
+constexpr MedElement kMedElements[2][4] = {
     {{}, {"SE2", 102, 2, {0, 1}}, {"TR3", 203, 3, {0, 1, 2}}, {"TE4", 304, 4, {0, 2, 1, 3}}},
     {{},
      {"SE3", 103, 3, {0, 1, 2}},
@@ -97,7 +97,7 @@ class MedFile {
 
   void write_elements(int dim, const std::vector<std::int32_t>& tags) {
     if (tags.empty()) return;
-    const Element& kind = kElements[mesh_.mid.empty() ? 0 : 1][dim];
+    const MedElement& kind = kMedElements[mesh_.mid.empty() ? 0 : 1][dim];
     const std::string path = fmt::format("{}/MAI/{}", kStep, kind.name);
     begin_items(path);
     file_.attribute(path, "GEO", kind.geometry);
@@ -180,7 +180,7 @@ void write_med(OutputFile& file, const Mesh& mesh, const ModelOutline& outline, 
   med.write_elements(1, mesh.edge_on);
   med.write_elements(2, mesh.triangle_on);
   med.write_elements(3, mesh.tet_in);
-  med.write_groups(set_names(complete_outline(outline, mesh), kLongestName));
+  med.write_groups(set_names(complete_outline(outline, mesh), kLongestMedName));
   med.end();
 }
 

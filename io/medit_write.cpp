@@ -18,8 +18,6 @@
 namespace octet {
 namespace {
 
-constexpr std::size_t kBlock = 16384;
-
 /// A keyword's name, and its number in binary files.
 struct Keyword {
   const char* name;
@@ -28,8 +26,8 @@ struct Keyword {
 constexpr Keyword kDimension{"Dimension", 3}, kVertices{"Vertices", 4}, kCorners{"Corners", 13},
     kEnd{"End", 54};
 /// Elements by order and dimension.
-constexpr Keyword kElements[2][4] = {{{}, {"Edges", 5}, {"Triangles", 6}, {"Tetrahedra", 8}},
-                                     {{}, {"EdgesP2", 25}, {"TrianglesP2", 24}, {"TetrahedraP2", 30}}};
+constexpr Keyword kMeditElements[2][4] = {{{}, {"Edges", 5}, {"Triangles", 6}, {"Tetrahedra", 8}},
+                                          {{}, {"EdgesP2", 25}, {"TrianglesP2", 24}, {"TetrahedraP2", 30}}};
 
 /// Numbers as text, blanks between and a line for each item, or as the machine keeps them.
 class Items {
@@ -91,7 +89,7 @@ class MeditFile {
       put(static_cast<std::int32_t>(n));
       at_ += bytes;
     }
-    file_.write_blocks(n, kBlock, [&](std::size_t first, std::size_t last, std::string& bytes) {
+    file_.write_blocks(n, kItemsATask, [&](std::size_t first, std::size_t last, std::string& bytes) {
       Items items(bytes, encoding_);
       for (std::size_t i = first; i < last; ++i) {
         write(i, items);
@@ -161,12 +159,13 @@ void write_elements(MeditFile& file, const Mesh& mesh, const ElementGroups& grou
   const bool second = !mesh.mid.empty();
   constexpr std::size_t kNodes[2][4] = {{1, 2, 3, 4}, {1, 3, 6, 10}};
   const std::size_t nodes = kNodes[second ? 1 : 0][dim];
-  file.section(kElements[second ? 1 : 0][dim], tags.size(), nodes + 1, 0, [&](std::size_t i, Items& items) {
-    std::uint64_t own[kMostNodes];
-    element_nodes(mesh, groups, dim, static_cast<std::uint32_t>(i), own, kVtkTetMid);
-    for (std::size_t k = 0; k < nodes; ++k) items << own[k];
-    items << static_cast<std::uint64_t>(tags[i]);
-  });
+  file.section(kMeditElements[second ? 1 : 0][dim], tags.size(), nodes + 1, 0,
+               [&](std::size_t i, Items& items) {
+                 std::uint64_t own[kMostNodes];
+                 element_nodes(mesh, groups, dim, static_cast<std::uint32_t>(i), own, kVtkTetMid);
+                 for (std::size_t k = 0; k < nodes; ++k) items << own[k];
+                 items << static_cast<std::uint64_t>(tags[i]);
+               });
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 namespace octet {
 namespace {
 
-constexpr int kTags = 2;  // physical, elementary
+constexpr int kTagsAnElement = 2;  // physical, elementary
 
 void write_nodes(OutputFile& file, const Mesh& mesh, bool binary, double scale) {
   const std::size_t nodes = node_count(mesh);
@@ -35,7 +35,7 @@ void write_nodes(OutputFile& file, const Mesh& mesh, bool binary, double scale) 
 void write_ascii_element(OutputFile& file, fmt::memory_buffer& line, ModelRef ref, int type,
                          std::uint64_t tag, const std::uint64_t* nodes, int n) {
   line.clear();
-  fmt::format_to(fmt::appender(line), "{} {} {} {} {}", tag, type, kTags, ref.tag, ref.tag);
+  fmt::format_to(fmt::appender(line), "{} {} {} {} {}", tag, type, kTagsAnElement, ref.tag, ref.tag);
   for (int k = 0; k < n; ++k) fmt::format_to(fmt::appender(line), " {}", nodes[k]);
   line.push_back('\n');
   file.write({line.data(), line.size()});
@@ -53,7 +53,7 @@ void write_elements(OutputFile& file, const Mesh& mesh, const ElementGroups& gro
   fmt::memory_buffer line;
   for (const auto& [ref, items] : groups.items) {
     if (binary) {
-      const int head[3] = {msh_type(mesh, ref.dim), static_cast<int>(items.size()), kTags};
+      const int head[3] = {msh_type(mesh, ref.dim), static_cast<int>(items.size()), kTagsAnElement};
       file.write(head, sizeof head);
     }
     for (const std::uint32_t i : items) {

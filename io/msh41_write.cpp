@@ -11,7 +11,7 @@ namespace octet {
 namespace {
 
 /// Rows a task.
-constexpr std::size_t kBlock = 8192;
+constexpr std::size_t kMshBlock = 8192;
 
 /// Numbers as text separated by blanks, or as the machine's bytes, appended to `out`.
 class Row {
@@ -61,7 +61,7 @@ class Sink {
   /// n lines; fill(row, i) makes the i-th, in parallel.
   template <class Fill>
   void lines(std::size_t n, const Fill& fill) {
-    file_.write_blocks(n, kBlock, [&](std::size_t first, std::size_t last, std::string& bytes) {
+    file_.write_blocks(n, kMshBlock, [&](std::size_t first, std::size_t last, std::string& bytes) {
       Row row(bytes, binary_);
       for (std::size_t i = first; i < last; ++i) {
         fill(row, i);

@@ -9,12 +9,13 @@
 #include <cstring>
 #include <set>
 
+#include "base/sort_unique.h"
 #include "io/set_names.h"
 
 namespace octet {
 namespace {
 
-constexpr std::size_t kLongestName = 127;  // MSH's limit
+constexpr std::size_t kLongestMshName = 127;  // MSH's limit
 
 /// Cut to `limit` bytes, not within a UTF-8 character.
 std::string shortened(std::string name, std::size_t limit) {
@@ -181,8 +182,7 @@ std::vector<std::uint64_t> nodes_of_elements(const Mesh& mesh, const ElementGrou
     std::uint64_t own[kMostNodes];
     nodes.insert(nodes.end(), own, own + element_nodes(mesh, groups, dim, i, own));
   }
-  std::sort(nodes.begin(), nodes.end());
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  sort_unique(nodes);
   return nodes;
 }
 
@@ -197,24 +197,24 @@ std::map<ModelRef, std::string> physical_names(const ModelOutline& outline, cons
   std::map<std::string, int> uses;
   for (const auto& entities : outline.entities)
     for (const auto& e : entities)
-      if (!e.name.empty()) ++uses[shortened(printable(e.name), kLongestName)];
+      if (!e.name.empty()) ++uses[shortened(printable(e.name), kLongestMshName)];
   std::map<ModelRef, std::string> names;
   std::set<std::string> taken;
   for (const OutlineGroup& group : outline.groups)
-    taken.insert(shortened(printable(group.name), kLongestName));
+    taken.insert(shortened(printable(group.name), kLongestMshName));
   for (int dim = 0; dim < 4; ++dim)
     for (const auto& e : outline.entities[dim]) {
       if (e.tag <= 0 || (e.name.empty() && !groups.items.contains({dim, e.tag}))) continue;
       const std::string own = entity_name({dim, e.tag});
-      std::string name = shortened(printable(e.name), kLongestName);
+      std::string name = shortened(printable(e.name), kLongestMshName);
       // A name that several entities share gets the entity's own beside it, for readers look groups up by
       // name.
       if (name.empty()) {
         name = own;
       } else if (uses[name] > 1) {
-        name = shortened(name, kLongestName - own.size() - 1) + " " + own;
+        name = shortened(name, kLongestMshName - own.size() - 1) + " " + own;
       }
-      while (!taken.insert(name).second) name = shortened(name, kLongestName - own.size() - 1) + " " + own;
+      while (!taken.insert(name).second) name = shortened(name, kLongestMshName - own.size() - 1) + " " + own;
       names[{dim, e.tag}] = name;
     }
   return names;
@@ -230,9 +230,9 @@ std::vector<PhysicalSet> physical_sets(const ModelOutline& outline, const Elemen
   std::vector<PhysicalSet> sets;
   const auto add = [&](OutlineGroup group, const char* behind) {
     if (items_of(groups, group).empty()) return;
-    group.name = shortened(printable(group.name), kLongestName);
+    group.name = shortened(printable(group.name), kLongestMshName);
     while (!taken.insert(group.name).second)
-      group.name = shortened(group.name, kLongestName - std::strlen(behind)) + behind;
+      group.name = shortened(group.name, kLongestMshName - std::strlen(behind)) + behind;
     const int dim = group.dim;
     sets.push_back({std::move(group), ++number[dim]});
   };
@@ -242,7 +242,7 @@ std::vector<PhysicalSet> physical_sets(const ModelOutline& outline, const Elemen
     std::map<std::string, OutlineGroup> of_name;
     for (const OutlineEntity& e : outline.entities[dim]) {
       if (e.name.empty()) continue;
-      const std::string name = shortened(printable(e.name), kLongestName);
+      const std::string name = shortened(printable(e.name), kLongestMshName);
       OutlineGroup& group = of_name[name];
       group.name = name;
       group.dim = dim;

@@ -14,6 +14,9 @@
 
 namespace octet {
 
+/// What most writers make of the text of in one task: OutputFile::write_blocks().
+inline constexpr std::size_t kItemsATask = 16384;
+
 /// Writes to a temporary name beside the target; commit() renames. Every failure is an OutputError that
 /// names the target and the reason, and leaves no temporary file and the old target, if any, as it was.
 /// A target that is a device or a pipe is written directly.

@@ -15,11 +15,11 @@
 namespace octet {
 namespace {
 
-constexpr auto kNone = std::numeric_limits<std::uint32_t>::max();
+constexpr auto kNoNode = std::numeric_limits<std::uint32_t>::max();
 
 /// The order that sorts the tags.
 std::vector<std::uint32_t> order_of(const std::vector<std::uint64_t>& tags, const char* what) {
-  if (tags.size() >= kNone) throw InputError(fmt::format("too many {}s", what));
+  if (tags.size() >= kNoNode) throw InputError(fmt::format("too many {}s", what));
   std::vector<std::uint32_t> order(tags.size());
   std::iota(order.begin(), order.end(), 0u);
   if (!std::is_sorted(tags.begin(), tags.end()))
@@ -45,18 +45,18 @@ class NodeIndex {
  public:
   explicit NodeIndex(const std::vector<std::uint64_t>& sorted_tags) : tags_(sorted_tags) {
     if (tags_.empty() || tags_.back() > 4 * tags_.size() + 1024) return;
-    table_.assign(tags_.back() + 1, kNone);
+    table_.assign(tags_.back() + 1, kNoNode);
     for (std::size_t i = 0; i < tags_.size(); ++i) table_[tags_[i]] = static_cast<std::uint32_t>(i);
   }
   [[nodiscard]] std::uint32_t of(std::uint64_t tag) const {
-    std::uint32_t index = kNone;
+    std::uint32_t index = kNoNode;
     if (!table_.empty()) {
       if (tag < table_.size()) index = table_[tag];
     } else {
       const auto at = std::lower_bound(tags_.begin(), tags_.end(), tag);
       if (at != tags_.end() && *at == tag) index = static_cast<std::uint32_t>(at - tags_.begin());
     }
-    if (index == kNone) throw InputError(fmt::format("an element names node {}, which is not given", tag));
+    if (index == kNoNode) throw InputError(fmt::format("an element names node {}, which is not given", tag));
     return index;
   }
 
@@ -108,7 +108,7 @@ constexpr int kTriangleSide[3][2] = {{0, 1}, {1, 2}, {2, 0}};
 class MidNodeTaker {
  public:
   MidNodeTaker(Mesh& mesh, const std::vector<std::uint64_t>& tags)
-      : mesh_(mesh), tags_(tags), is_mid_(mesh.points.size(), 0), number_(mesh.points.size(), kNone) {}
+      : mesh_(mesh), tags_(tags), is_mid_(mesh.points.size(), 0), number_(mesh.points.size(), kNoNode) {}
 
   template <std::size_t N>
   void flag(const Placed<N>& placed) {
@@ -134,7 +134,7 @@ class MidNodeTaker {
     }
     mesh_.points.resize(kept);
     mesh_.point_on.resize(kept);
-    mid.between.resize(mid.points.size(), {kNone, kNone});
+    mid.between.resize(mid.points.size(), {kNoNode, kNoNode});
   }
   /// Once they are taken.
   template <std::size_t N, std::size_t Sides>
@@ -150,7 +150,7 @@ class MidNodeTaker {
         m = number_[m];
         const Mesh::Index a = placed.corners[i][static_cast<std::size_t>(side[k][0])],
                           b = placed.corners[i][static_cast<std::size_t>(side[k][1])];
-        if (mesh_.mid.between[m][0] == kNone) mesh_.mid.between[m] = {std::min(a, b), std::max(a, b)};
+        if (mesh_.mid.between[m][0] == kNoNode) mesh_.mid.between[m] = {std::min(a, b), std::max(a, b)};
       }
     }
   }

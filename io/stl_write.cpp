@@ -20,8 +20,7 @@
 namespace octet {
 namespace {
 
-constexpr std::size_t kBlock = 16384;
-constexpr std::size_t kLongestName = 80;
+constexpr std::size_t kLongestStlName = 80;
 constexpr std::size_t kHeader = 80;
 
 /// Corners of triangles on model faces, turned.
@@ -54,7 +53,7 @@ void write_binary(OutputFile& file, const Mesh& mesh, const Corners& corners) {
   header.resize(kHeader, ' ');
   file.write(header);
   file.put(static_cast<std::uint32_t>(mesh.triangles.size()));
-  file.write_blocks(mesh.triangles.size(), kBlock,
+  file.write_blocks(mesh.triangles.size(), kItemsATask,
                     [&](std::size_t first, std::size_t last, std::string& bytes) {
                       for (std::size_t i = first; i < last; ++i) {
                         for (const Vec3& p : corners.of(static_cast<std::uint32_t>(i)))
@@ -69,22 +68,23 @@ void write_binary(OutputFile& file, const Mesh& mesh, const Corners& corners) {
 
 void write_ascii(OutputFile& file, const Mesh& mesh, const ModelOutline& outline, const Corners& corners) {
   const ElementGroups groups = group_elements(mesh);
-  const auto names = set_names(complete_outline(outline, mesh), kLongestName).of;
+  const auto names = set_names(complete_outline(outline, mesh), kLongestStlName).of;
   for (const auto& group : groups.items) {
     if (group.first.dim != 2) continue;
     const std::vector<std::uint32_t>& items = group.second;
     const std::string& name = names.at(group.first);
     file.write(fmt::format("solid {}\n", name));
-    file.write_blocks(items.size(), kBlock, [&](std::size_t first, std::size_t last, std::string& bytes) {
-      auto out = std::back_inserter(bytes);
-      for (std::size_t k = first; k < last; ++k) {
-        const std::array<Vec3, 4> p = corners.of(items[k]);
-        fmt::format_to(out, "facet normal {} {} {}\nouter loop\n", p[0].x(), p[0].y(), p[0].z());
-        for (std::size_t c = 1; c < 4; ++c)
-          fmt::format_to(out, "vertex {} {} {}\n", p[c].x(), p[c].y(), p[c].z());
-        fmt::format_to(out, "endloop\nendfacet\n");
-      }
-    });
+    file.write_blocks(
+        items.size(), kItemsATask, [&](std::size_t first, std::size_t last, std::string& bytes) {
+          auto out = std::back_inserter(bytes);
+          for (std::size_t k = first; k < last; ++k) {
+            const std::array<Vec3, 4> p = corners.of(items[k]);
+            fmt::format_to(out, "facet normal {} {} {}\nouter loop\n", p[0].x(), p[0].y(), p[0].z());
+            for (std::size_t c = 1; c < 4; ++c)
+              fmt::format_to(out, "vertex {} {} {}\n", p[c].x(), p[c].y(), p[c].z());
+            fmt::format_to(out, "endloop\nendfacet\n");
+          }
+        });
     file.write(fmt::format("endsolid {}\n", name));
   }
 }

@@ -21,24 +21,23 @@
 namespace octet {
 namespace {
 
-constexpr std::size_t kBlock = 16384;
-constexpr std::size_t kLongestName = 60;
+constexpr std::size_t kLongestSu2Name = 60;
 constexpr int kTriangle = 5, kTetrahedron = 10;
-constexpr Mesh::Index kNone = std::numeric_limits<Mesh::Index>::max();
+constexpr Mesh::Index kNotInZone = std::numeric_limits<Mesh::Index>::max();
 
 /// Nodes of these tetrahedra, ascending, and the place of each there.
 struct ZoneNodes {
   std::vector<Mesh::Index> nodes;
-  std::vector<Mesh::Index> place;  ///< per node of the mesh, or kNone
+  std::vector<Mesh::Index> place;  ///< per node of the mesh, or kNotInZone
 };
 
 ZoneNodes zone_nodes(const Mesh& mesh, const std::vector<std::uint32_t>& tets) {
   ZoneNodes zone;
-  zone.place.assign(mesh.points.size(), kNone);
+  zone.place.assign(mesh.points.size(), kNotInZone);
   for (const std::uint32_t t : tets)
     for (const Mesh::Index v : mesh.tets[t]) zone.place[v] = 0;
   for (Mesh::Index v = 0; v < mesh.points.size(); ++v) {
-    if (zone.place[v] == kNone) continue;
+    if (zone.place[v] == kNotInZone) continue;
     zone.place[v] = static_cast<Mesh::Index>(zone.nodes.size());
     zone.nodes.push_back(v);
   }
@@ -65,7 +64,7 @@ std::vector<std::array<Mesh::Index, 3>> outward_sides(const Mesh& mesh, const Fa
 void write_zone(OutputFile& file, const Mesh& mesh, const std::vector<std::uint32_t>& tets, double scale,
                 const ZoneNodes& zone) {
   file.write(fmt::format("NDIME= 3\nNELEM= {}\n", tets.size()));
-  file.write_blocks(tets.size(), kBlock, [&](std::size_t first, std::size_t last, std::string& bytes) {
+  file.write_blocks(tets.size(), kItemsATask, [&](std::size_t first, std::size_t last, std::string& bytes) {
     for (std::size_t i = first; i < last; ++i) {
       const auto& v = mesh.tets[tets[i]];
       fmt::format_to(std::back_inserter(bytes), "{} {} {} {} {} {}\n", kTetrahedron, zone.place[v[0]],
@@ -73,18 +72,19 @@ void write_zone(OutputFile& file, const Mesh& mesh, const std::vector<std::uint3
     }
   });
   file.write(fmt::format("NPOIN= {}\n", zone.nodes.size()));
-  file.write_blocks(zone.nodes.size(), kBlock, [&](std::size_t first, std::size_t last, std::string& bytes) {
-    for (std::size_t i = first; i < last; ++i) {
-      const Vec3 p = mesh.points[zone.nodes[i]] * scale;
-      fmt::format_to(std::back_inserter(bytes), "{} {} {} {}\n", p.x(), p.y(), p.z(), i);
-    }
-  });
+  file.write_blocks(zone.nodes.size(), kItemsATask,
+                    [&](std::size_t first, std::size_t last, std::string& bytes) {
+                      for (std::size_t i = first; i < last; ++i) {
+                        const Vec3 p = mesh.points[zone.nodes[i]] * scale;
+                        fmt::format_to(std::back_inserter(bytes), "{} {} {} {}\n", p.x(), p.y(), p.z(), i);
+                      }
+                    });
 }
 
 void write_marker(OutputFile& file, const std::string& name, const ZoneNodes& zone,
                   const std::vector<std::array<Mesh::Index, 3>>& sides) {
   file.write(fmt::format("MARKER_TAG= {}\nMARKER_ELEMS= {}\n", name, sides.size()));
-  file.write_blocks(sides.size(), kBlock, [&](std::size_t first, std::size_t last, std::string& bytes) {
+  file.write_blocks(sides.size(), kItemsATask, [&](std::size_t first, std::size_t last, std::string& bytes) {
     for (std::size_t i = first; i < last; ++i)
       fmt::format_to(std::back_inserter(bytes), "{} {} {} {}\n", kTriangle, zone.place[sides[i][0]],
                      zone.place[sides[i][1]], zone.place[sides[i][2]]);
@@ -96,7 +96,7 @@ void write_marker(OutputFile& file, const std::string& name, const ZoneNodes& zo
 void write_su2(OutputFile& file, const Mesh& mesh, const ModelOutline& outline, double scale) {
   if (!mesh.mid.empty()) throw OutputError("a .su2 file has no elements of second order; use --order 1");
   const ElementGroups groups = group_elements(mesh);
-  const auto names = set_names(complete_outline(outline, mesh), kLongestName).of;
+  const auto names = set_names(complete_outline(outline, mesh), kLongestSu2Name).of;
   const FaceUses uses = boundary_face_uses(mesh);
   const auto zones =
       std::count_if(groups.items.begin(), groups.items.end(), [](const auto& g) { return g.first.dim == 3; });

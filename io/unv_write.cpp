@@ -16,8 +16,7 @@
 namespace octet {
 namespace {
 
-constexpr std::size_t kBlock = 16384;
-constexpr std::size_t kLongestName = 40;
+constexpr std::size_t kLongestUnvName = 40;
 constexpr int kColour = 7;  // of a palette that readers draw with
 
 /// Elements by order and dimension: linear and parabolic beam, thin shell, solid tetrahedron.
@@ -38,16 +37,17 @@ void append_coordinate(std::string& bytes, double x) {
   bytes[bytes.find('E', first)] = 'D';
 }
 
-void write_nodes(OutputFile& file, const Mesh& mesh, double scale) {
+void write_unv_nodes(OutputFile& file, const Mesh& mesh, double scale) {
   begin_dataset(file, 2411);
-  file.write_blocks(node_count(mesh), kBlock, [&](std::size_t first, std::size_t last, std::string& bytes) {
-    for (std::size_t v = first; v < last; ++v) {
-      const Vec3 p = node_point(mesh, static_cast<std::uint32_t>(v)) * scale;
-      fmt::format_to(std::back_inserter(bytes), "{:10}{:10}{:10}{:10}\n", v + 1, 1, 1, kColour);
-      for (int k = 0; k < 3; ++k) append_coordinate(bytes, p[k]);
-      bytes.push_back('\n');
-    }
-  });
+  file.write_blocks(
+      node_count(mesh), kItemsATask, [&](std::size_t first, std::size_t last, std::string& bytes) {
+        for (std::size_t v = first; v < last; ++v) {
+          const Vec3 p = node_point(mesh, static_cast<std::uint32_t>(v)) * scale;
+          fmt::format_to(std::back_inserter(bytes), "{:10}{:10}{:10}{:10}\n", v + 1, 1, 1, kColour);
+          for (int k = 0; k < 3; ++k) append_coordinate(bytes, p[k]);
+          bytes.push_back('\n');
+        }
+      });
   end_dataset(file);
 }
 
@@ -63,20 +63,21 @@ void write_elements(OutputFile& file, const Mesh& mesh, const ElementGroups& gro
     const int dim = group.first.dim, tag = group.first.tag;
     const std::vector<std::uint32_t>& items = group.second;
     if (dim == 0) continue;
-    file.write_blocks(items.size(), kBlock, [&](std::size_t first, std::size_t last, std::string& bytes) {
-      auto out = std::back_inserter(bytes);
-      for (std::size_t k = first; k < last; ++k) {
-        std::uint64_t nodes[kMostNodes];
-        const int n = element_nodes(mesh, groups, dim, items[k], nodes);
-        fmt::format_to(out, "{:10}{:10}{:10}{:10}{:10}{:10}\n", label_of(groups, dim, items[k]),
-                       kElement[second ? 1 : 0][dim], tag, tag, kColour, n);
-        if (dim == 1) fmt::format_to(out, "{:10}{:10}{:10}\n", 0, 1, 1);  // a beam's cross sections
-        for (int i = 0; i < n; ++i) {
-          const std::uint64_t node = nodes[second ? kParabolic[dim][i] : i];
-          fmt::format_to(out, "{:10}{}", node, i + 1 == n || i % 8 == 7 ? "\n" : "");
-        }
-      }
-    });
+    file.write_blocks(
+        items.size(), kItemsATask, [&](std::size_t first, std::size_t last, std::string& bytes) {
+          auto out = std::back_inserter(bytes);
+          for (std::size_t k = first; k < last; ++k) {
+            std::uint64_t nodes[kMostNodes];
+            const int n = element_nodes(mesh, groups, dim, items[k], nodes);
+            fmt::format_to(out, "{:10}{:10}{:10}{:10}{:10}{:10}\n", label_of(groups, dim, items[k]),
+                           kElement[second ? 1 : 0][dim], tag, tag, kColour, n);
+            if (dim == 1) fmt::format_to(out, "{:10}{:10}{:10}\n", 0, 1, 1);  // a beam's cross sections
+            for (int i = 0; i < n; ++i) {
+              const std::uint64_t node = nodes[second ? kParabolic[dim][i] : i];
+              fmt::format_to(out, "{:10}{}", node, i + 1 == n || i % 8 == 7 ? "\n" : "");
+            }
+          }
+        });
   }
   end_dataset(file);
 }
@@ -85,7 +86,7 @@ void write_group(OutputFile& file, const ElementGroups& groups, int number, cons
                  const std::vector<std::uint32_t>& items) {
   file.write(fmt::format("{:10}{:10}{:10}{:10}{:10}{:10}{:10}{:10}\n{}\n", number, 0, 0, 0, 0, 0, 0,
                          items.size(), name));
-  file.write_blocks(items.size(), kBlock, [&](std::size_t first, std::size_t last, std::string& bytes) {
+  file.write_blocks(items.size(), kItemsATask, [&](std::size_t first, std::size_t last, std::string& bytes) {
     for (std::size_t k = first; k < last; ++k)
       fmt::format_to(std::back_inserter(bytes), "{:10}{:10}{:10}{:10}{}",
                      dim == 0 ? kNodeMember : kElementMember,
@@ -112,9 +113,9 @@ void write_unv(OutputFile& file, const Mesh& mesh, const ModelOutline& outline, 
   const ElementGroups groups = group_elements(mesh);
   if (std::max<std::uint64_t>(node_count(mesh), groups.total) > kMost)
     throw OutputError("the mesh is too large for a .unv file; use MSH 4.1");
-  write_nodes(file, mesh, scale);
+  write_unv_nodes(file, mesh, scale);
   write_elements(file, mesh, groups);
-  write_groups(file, groups, set_names(complete_outline(outline, mesh), kLongestName));
+  write_groups(file, groups, set_names(complete_outline(outline, mesh), kLongestUnvName));
 }
 
 }  // namespace octet

@@ -48,7 +48,7 @@ class VtuAppended {
     offset_ += sizeof length + length;
     writers_.push_back([=](OutputFile& file) {
       file.put(length);
-      file.write_blocks(n, kBlock, [&](std::size_t first, std::size_t last, std::string& bytes) {
+      file.write_blocks(n, kItemsATask, [&](std::size_t first, std::size_t last, std::string& bytes) {
         T values[kMostValues];
         for (std::size_t i = first; i < last; ++i) {
           make(i, values);
@@ -88,7 +88,6 @@ class VtuAppended {
   }
 
  private:
-  static constexpr std::size_t kBlock = 16384;    // items a task
   static constexpr std::size_t kMostValues = 10;  // of an item: nodes of a tetrahedron of second order
   std::uint64_t offset_ = 0;
   std::vector<std::function<void(OutputFile&)>> writers_;

@@ -23,15 +23,15 @@ constexpr std::uint64_t kMostCompression = 1100;
 // A block is made room for before its bytes have proved it; those of common writers have 1 MiB at most.
 constexpr std::uint64_t kLargestBlock = std::uint64_t{1} << 26;
 
-constexpr auto kNone = std::string_view::npos;
+constexpr auto kNowhere = std::string_view::npos;
 
 std::string_view attribute(std::string_view tag, const std::string& name) {
   const std::string key = " " + name + "=\"";
   const std::size_t at = tag.find(key);
-  if (at == kNone) return {};
+  if (at == kNowhere) return {};
   const std::size_t start = at + key.size();
   const std::size_t end = tag.find('"', start);
-  return end == kNone ? std::string_view() : tag.substr(start, end - start);
+  return end == kNowhere ? std::string_view() : tag.substr(start, end - start);
 }
 
 std::uint64_t count_attribute(std::string_view tag, const std::string& name) {
@@ -44,8 +44,8 @@ std::uint64_t count_attribute(std::string_view tag, const std::string& name) {
 }
 
 std::string_view tag_at(std::string_view xml, std::size_t at) {
-  const std::size_t end = at == kNone ? at : xml.find('>', at);
-  if (end == kNone) throw InputError("the file is no VTU file");
+  const std::size_t end = at == kNowhere ? at : xml.find('>', at);
+  if (end == kNowhere) throw InputError("the file is no VTU file");
   return xml.substr(at, end - at);
 }
 
@@ -61,7 +61,7 @@ std::string from_base64(std::string_view text) {
   for (const char c : text) {
     if (c == ' ' || c == '\n' || c == '\r' || c == '\t') continue;
     const std::size_t digit = kDigits.find(c);
-    if (digit == kNone && c != '=') throw InputError(fmt::format("\"{}\" is no base64 digit", c));
+    if (digit == kNowhere && c != '=') throw InputError(fmt::format("\"{}\" is no base64 digit", c));
     padding += c == '=' ? 1 : 0;
     group = group << 6 | (c == '=' ? 0U : static_cast<std::uint32_t>(digit));
     if (++digits < 4) continue;
@@ -144,22 +144,23 @@ VtuFile::VtuFile(std::string_view bytes) {
     throw InputError(fmt::format("VTU files compressed by {} are not read", compressor));
   packed_ = !compressor.empty();
   wide_ = attribute(file, "header_type") == "UInt64";
-  if (block_at != kNone) {
+  if (block_at != kNowhere) {
     const std::size_t start = bytes.find('_', block_at);
-    if (start == kNone) throw InputError("the VTU file ends before its appended data");
+    if (start == kNowhere) throw InputError("the VTU file ends before its appended data");
     const std::string_view encoding = attribute(bytes.substr(block_at, start - block_at), "encoding");
     if (encoding != "raw" && encoding != "base64")
       throw InputError(fmt::format("appended data in the encoding \"{}\" are not read", encoding));
     base64_ = encoding == "base64";
     data_ = bytes.substr(start + 1);
     if (base64_) data_ = data_.substr(0, data_.find('<'));
-  } else if (bytes.find("</VTKFile>") == kNone) {
+  } else if (bytes.find("</VTKFile>") == kNowhere) {
     throw InputError("the VTU file ends too early");
   }
   const std::size_t piece = xml_.find("<Piece");
   piece_ = tag_at(xml_, piece);
-  if (xml_.find("<Piece", piece + 1) != kNone) throw InputError("VTU files of several pieces are not read");
-  for (std::size_t at = xml_.find(" offset=\""); at != kNone; at = xml_.find(" offset=\"", at + 1))
+  if (xml_.find("<Piece", piece + 1) != kNowhere)
+    throw InputError("VTU files of several pieces are not read");
+  for (std::size_t at = xml_.find(" offset=\""); at != kNowhere; at = xml_.find(" offset=\"", at + 1))
     offsets_.push_back(count_attribute(xml_.substr(at), "offset"));
   std::sort(offsets_.begin(), offsets_.end());
 }
@@ -173,11 +174,11 @@ std::vector<VtuFile::Element> VtuFile::elements(const std::string& section) cons
   const std::string_view xml = xml_.substr(static_cast<std::size_t>(piece_.data() - xml_.data()));
   const std::size_t end = xml.find("</" + section + ">");
   std::size_t at = xml.find("<" + section);
-  while (at != kNone && at + section.size() + 1 < xml.size() && xml[at + section.size() + 1] != '>' &&
+  while (at != kNowhere && at + section.size() + 1 < xml.size() && xml[at + section.size() + 1] != '>' &&
          xml[at + section.size() + 1] != ' ')
     at = xml.find("<" + section, at + 1);
   std::vector<Element> found;
-  if (at == kNone || end == kNone) return found;
+  if (at == kNowhere || end == kNowhere) return found;
   constexpr std::string_view kArray = "<DataArray";
   for (at = xml.find(kArray, at); at < end; at = xml.find(kArray, at + 1)) {
     const std::string_view tag = tag_at(xml, at);
@@ -214,7 +215,7 @@ std::uint64_t VtuFile::header_word(ByteCursor& in) const {
 std::string_view VtuFile::appended(std::uint64_t offset, const std::string& name) const {
   if (offset > data_.size()) throw InputError(fmt::format("the VTU array {} lies behind the end", name));
   const auto next = std::upper_bound(offsets_.begin(), offsets_.end(), offset);
-  return data_.substr(offset, next == offsets_.end() || !base64_ ? kNone : *next - offset);
+  return data_.substr(offset, next == offsets_.end() || !base64_ ? kNowhere : *next - offset);
 }
 
 std::string VtuFile::unpacked(std::string_view bytes, const std::string& name) const {

@@ -24,7 +24,7 @@ struct Cell {
 constexpr Cell kCells[2][4] = {{{"Polyvertex", 1}, {"Polyline", 2}, {"Triangle", 3}, {"Tetrahedron", 4}},
                                {{"Polyvertex", 1}, {"Edge_3", 3}, {"Triangle_6", 6}, {"Tetrahedron_10", 10}}};
 constexpr const char* kGrids[4] = {"vertices", "edges", "faces", "mesh"};
-constexpr const char* kTags[4] = {"vertex", "edge", "face", "region"};
+constexpr const char* kTagNames[4] = {"vertex", "edge", "face", "region"};
 
 std::string xml(const std::string& text) {
   std::string escaped;
@@ -82,7 +82,7 @@ class XdmfFile {
     file_.write(fmt::format("    <Grid Name=\"{}\" GridType=\"Uniform\">\n", kGrids[dim]));
     for (const OutlineEntity& e : entities)
       if (!e.name.empty())
-        file_.write(fmt::format("      <Information Name=\"{} {}\" Value=\"{}\"/>\n", kTags[dim], e.tag,
+        file_.write(fmt::format("      <Information Name=\"{} {}\" Value=\"{}\"/>\n", kTagNames[dim], e.tag,
                                 xml(printable(e.name))));
     file_.write(
         fmt::format("      <Topology TopologyType=\"{}\" NumberOfElements=\"{}\" NodesPerElement=\"{}\">\n{} "
@@ -93,7 +93,7 @@ class XdmfFile {
     file_.write(
         fmt::format("      <Attribute Name=\"{}\" AttributeType=\"Scalar\" Center=\"Cell\">\n{}      "
                     "</Attribute>\n    </Grid>\n",
-                    kTags[dim], data_item("Int", 4, n, 1, group + "/tags")));
+                    kTagNames[dim], data_item("Int", 4, n, 1, group + "/tags")));
   }
 
   std::vector<std::int32_t> vertex_tags() const {

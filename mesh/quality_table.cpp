@@ -7,9 +7,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
+#include "base/constants.h"
 #include "base/error.h"
+#include "base/sort_unique.h"
 #include "mesh/forbidden.h"
 #include "mesh/local_size.h"
 #include "mesh/quadratic.h"
@@ -18,7 +19,6 @@
 namespace octet {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr int kMeasures = 6;
 
 /// What is told of each element, in the order of QualityTable::all; the last of second order alone.
@@ -109,8 +109,7 @@ WorstTet tell(const Mesh& mesh, std::size_t t, const std::vector<char>& forbiddi
     worst.place += 0.25 * mesh.points[i];
     if (mesh.point_on[i].dim < 3) worst.on.push_back(mesh.point_on[i]);
   }
-  std::sort(worst.on.begin(), worst.on.end());
-  worst.on.erase(std::unique(worst.on.begin(), worst.on.end()), worst.on.end());
+  sort_unique(worst.on);
   return worst;
 }
 

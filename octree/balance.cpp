@@ -10,13 +10,10 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "base/sort_unique.h"
+
 namespace octet {
 namespace {
-
-void sort_unique(std::vector<MortonKey>& keys) {
-  std::sort(keys.begin(), keys.end());
-  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
-}
 
 /// Which of the 27 octants around a parent (x fastest) hold a neighbour of each of its children: those
 /// towards which the child lies, and the parent itself.

@@ -5,13 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/sort_unique.h"
+
 namespace octet {
 namespace {
-
-void sort_unique(std::vector<MortonKey>& keys) {
-  std::sort(keys.begin(), keys.end());
-  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
-}
 
 /// The keys of a level and those up to `reach` octants beside them along each axis, as far as the root goes.
 void spread(std::vector<MortonKey>& keys, int level, std::uint32_t reach) {

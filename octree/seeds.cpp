@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/sort_unique.h"
 #include "geom/facet_bvh.h"
 #include "octree/even_walls.h"
 #include "octree/interior.h"
@@ -105,8 +106,7 @@ class Vagueness {
       const int face = model_.facets().face[foot.triangle];
       if (reach_[static_cast<std::size_t>(face)] > clear) faces.push_back(face);
     });
-    std::sort(faces.begin(), faces.end());
-    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    sort_unique(faces);
     return std::any_of(faces.begin(), faces.end(), [&](int f) { return has_it_at_its_border(f, p, clear); });
   }
 

@@ -11,6 +11,7 @@
 #include <algorithm>
 
 #include "base/blocks.h"
+#include "base/sort_unique.h"
 
 namespace octet {
 namespace {
@@ -69,8 +70,7 @@ std::vector<MortonKey> ownerless(const Octree& tree, const Corners& owner) {
       if (owner[i][c] == kNoVertex) keys.push_back(morton_key(corner_of(tree[OctantId(i)], c)));
     }
   }
-  std::sort(keys.begin(), keys.end());
-  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+  sort_unique(keys);
   return keys;
 }
 

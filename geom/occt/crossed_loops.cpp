@@ -28,20 +28,20 @@ namespace octet {
 namespace {
 
 /// A side of a face that is no seam, as it runs in (u,v).
-struct Side {
+struct LoopChord {
   TopoDS_Edge edge;
   Handle(Geom2d_TrimmedCurve) curve;
   Bnd_Box2d box;
 };
 
-std::vector<Side> sides_of(const TopoDS_Face& face) {
-  std::vector<Side> sides;
+std::vector<LoopChord> sides_of(const TopoDS_Face& face) {
+  std::vector<LoopChord> sides;
   for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
     const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
     double first = 0.0, last = 0.0;
     const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, face, first, last);
     if (curve.IsNull() || BRep_Tool::Degenerated(edge) || BRep_Tool::IsClosed(edge, face)) continue;
-    Side side{edge, new Geom2d_TrimmedCurve(curve, first, last), {}};
+    LoopChord side{edge, new Geom2d_TrimmedCurve(curve, first, last), {}};
     BndLib_Add2dCurve::Add(side.curve, 0.0, side.box);
     sides.push_back(side);
   }
@@ -60,13 +60,13 @@ bool is_inside(const TopoDS_Edge& edge, double t) {
   return true;
 }
 
-class Search {
+class LoopSearch {
  public:
-  explicit Search(const TopoDS_Shape& solid) : edges_(sub_shapes(solid, TopAbs_EDGE)) {
+  explicit LoopSearch(const TopoDS_Shape& solid) : edges_(sub_shapes(solid, TopAbs_EDGE)) {
     const TopTools_IndexedMapOfShape faces = sub_shapes(solid, TopAbs_FACE);
     for (int i = 1; i <= faces.Extent(); ++i) {
       const TopoDS_Face face = TopoDS::Face(faces(i).Oriented(TopAbs_FORWARD));
-      const std::vector<Side> sides = sides_of(face);
+      const std::vector<LoopChord> sides = sides_of(face);
       for (std::size_t a = 0; a < sides.size(); ++a)
         for (std::size_t b = a + 1; b < sides.size(); ++b)
           if (!sides[a].box.IsOut(sides[b].box)) look_at(face, sides[a], sides[b]);
@@ -78,7 +78,7 @@ class Search {
   [[nodiscard]] const TopTools_IndexedMapOfShape& vertices() const { return vertices_; }
 
  private:
-  void look_at(const TopoDS_Face& face, const Side& a, const Side& b) {
+  void look_at(const TopoDS_Face& face, const LoopChord& a, const LoopChord& b) {
     const Geom2dAPI_InterCurveCurve crossings(a.curve, b.curve, Precision::PConfusion());
     for (int i = 1; i <= crossings.NbPoints(); ++i) {
       const IntRes2d_IntersectionPoint& point = crossings.Intersector().Point(i);
@@ -206,7 +206,7 @@ std::vector<TopoDS_Face> parts_of(const TopoDS_Face& face, const TopTools_Indexe
 }  // namespace
 
 Repair split_crossed_loops(const TopoDS_Shape& solid) {
-  const Search search(solid);
+  const LoopSearch search(solid);
   if (search.faces().IsEmpty()) return no_repair(solid);
   FaceParts parts(solid, search.cut(solid));
   for (int i = 1; i <= search.faces().Extent(); ++i)

@@ -35,15 +35,15 @@ namespace {
 /// Sides that part at a larger angle (cosine; five degrees) do not run side by side.
 constexpr double kSideBySide = 0.9962;
 /// Crossings nearer to an end of a side than so many tolerances belong to the end.
-constexpr double kClearOfEnds = 10.0;
+constexpr double kSidesClearOfEnds = 10.0;
 /// A side that is no farther beyond the other is there by rounding (mm).
 constexpr double kRounding = 1e-6;
 /// The walk: from this share of the side, growing by this factor a step.
 constexpr double kFirstStep = 1e-4, kStepGrowth = 1.1;
 
 /// A side of the face's loop, seen from one of its ends.
-struct Side {
-  Side(const TopoDS_Edge& its_edge, const TopoDS_Vertex& from) : edge(its_edge), curve(its_edge) {
+struct CrossedSide {
+  CrossedSide(const TopoDS_Edge& its_edge, const TopoDS_Vertex& from) : edge(its_edge), curve(its_edge) {
     const bool first = TopExp::FirstVertex(edge).IsSame(from);
     begin = first ? curve.FirstParameter() : curve.LastParameter();
     length = first ? curve.LastParameter() - begin : curve.FirstParameter() - begin;
@@ -70,9 +70,9 @@ struct Lie {
   double foot = 0.0;      ///< parameter of the other
 };
 
-class Corner {
+class SideCorner {
  public:
-  Corner(const TopoDS_Face& face, const TopoDS_Edge& a, const TopoDS_Edge& b, const TopoDS_Vertex& at)
+  SideCorner(const TopoDS_Face& face, const TopoDS_Edge& a, const TopoDS_Edge& b, const TopoDS_Vertex& at)
       : surface_(face, false), a_(a, at), b_(b, at) {
     pcurve_ = BRep_Tool::CurveOnSurface(b, face, first_, last_);
     tolerance_ = std::max(BRep_Tool::Tolerance(a), BRep_Tool::Tolerance(b));
@@ -87,7 +87,7 @@ class Corner {
     if (!lie) return {};
     const gp_Pnt on_a = a_.at(*share), on_b = b_.curve.Value(lie->foot);
     for (const gp_Pnt& end : {a_.at(0.0), a_.at(1.0), b_.at(1.0)})
-      if (on_a.Distance(end) <= kClearOfEnds * tolerance_) return {};
+      if (on_a.Distance(end) <= kSidesClearOfEnds * tolerance_) return {};
     const gp_Pnt middle(0.5 * (on_a.XYZ() + on_b.XYZ()));
     TopoDS_Vertex vertex;
     BRep_Builder().MakeVertex(vertex, middle, Precision::Confusion());
@@ -151,7 +151,7 @@ class Corner {
   }
 
   BRepAdaptor_Surface surface_;
-  Side a_, b_;
+  CrossedSide a_, b_;
   Handle(Geom2d_Curve) pcurve_;
   double first_ = 0.0, last_ = 0.0, tolerance_ = 0.0;
 };
@@ -177,7 +177,7 @@ Repair split_crossed_sides(const TopoDS_Shape& solid) {
         const TopoDS_Edge a = TopoDS::Edge(sides_at(v).First()), b = TopoDS::Edge(sides_at(v).Last());
         if (!is_plain(face, a) || !is_plain(face, b)) continue;
         try {
-          const auto crossing = Corner(face, a, b, TopoDS::Vertex(sides_at.FindKey(v))).crossing();
+          const auto crossing = SideCorner(face, a, b, TopoDS::Vertex(sides_at.FindKey(v))).crossing();
           if (!crossing) continue;
           cuts.add(edges.FindIndex(a), crossing->first);
           cuts.add(edges.FindIndex(b), crossing->second);

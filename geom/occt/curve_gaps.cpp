@@ -19,7 +19,7 @@
 namespace octet {
 namespace {
 
-constexpr int kSamples = 24;
+constexpr int kGapSamples = 24;
 constexpr double kReserve = 1.05;  // for what lies between the samples
 
 /// What the edges that end at a vertex need it to cover.
@@ -49,8 +49,8 @@ double curve_gap(const TopoDS_Edge& edge, const TopoDS_Face& face) {
   if (curve.IsNull() || on_face.IsNull()) return 0.0;
   const auto surface = BRep_Tool::Surface(face);
   double gap = 0.0;
-  for (int i = 0; i <= kSamples; ++i) {
-    const double share = static_cast<double>(i) / kSamples;
+  for (int i = 0; i <= kGapSamples; ++i) {
+    const double share = static_cast<double>(i) / kGapSamples;
     const gp_Pnt2d uv = on_face->Value(s0 + share * (s1 - s0));
     gap = std::max(gap, surface->Value(uv.X(), uv.Y()).Distance(curve->Value(t0 + share * (t1 - t0))));
   }

@@ -14,7 +14,7 @@
 namespace octet {
 namespace {
 
-constexpr int kSamples = 16;  // along an edge
+constexpr int kEdgeSamples = 16;  // along an edge
 
 double distance_to(const gp_Pnt& point, const BRepAdaptor_Curve& curve) {
   double nearest = std::min(point.Distance(curve.Value(curve.FirstParameter())),
@@ -32,8 +32,8 @@ double edge_distance(const TopoDS_Edge& one, const TopoDS_Edge& other, double en
   try {
     const BRepAdaptor_Curve a(one), b(other);
     const double first = a.FirstParameter(), last = a.LastParameter();
-    for (int i = 1; i < kSamples && far <= enough; ++i)
-      far = std::max(far, distance_to(a.Value(first + (last - first) * i / kSamples), b));
+    for (int i = 1; i < kEdgeSamples && far <= enough; ++i)
+      far = std::max(far, distance_to(a.Value(first + (last - first) * i / kEdgeSamples), b));
   } catch (const Standard_Failure&) {
     return std::numeric_limits<double>::infinity();
   }

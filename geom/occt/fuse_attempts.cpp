@@ -25,13 +25,13 @@ constexpr std::size_t kMostPairs = 40;
 /// So many of a group are tried as splines each by itself, before all that are at odds.
 constexpr std::size_t kMostAlone = 3;
 
-using Pair = std::array<std::size_t, 2>;
+using SolidPair = std::array<std::size_t, 2>;
 
 /// The pairs that conflicts name; where none does, each solid that is to blame alone, with those it may
 /// touch.
-std::set<Pair> blamed_pairs(const std::vector<TopoDS_Shape>& solids,
-                            const std::vector<FuseConflict>& conflicts) {
-  std::set<Pair> pairs;
+std::set<SolidPair> blamed_pairs(const std::vector<TopoDS_Shape>& solids,
+                                 const std::vector<FuseConflict>& conflicts) {
+  std::set<SolidPair> pairs;
   for (const FuseConflict& conflict : conflicts) {
     const auto [low, high] = std::minmax(conflict.solids[0], conflict.solids[1]);
     if (low != high) pairs.insert({low, high});
@@ -55,7 +55,7 @@ struct PairFuse {
 };
 
 /// The first that names both, or the first.
-const FuseConflict& first_between(const Pair& pair, const std::vector<FuseConflict>& conflicts) {
+const FuseConflict& first_between(const SolidPair& pair, const std::vector<FuseConflict>& conflicts) {
   const auto names_both = [&](const FuseConflict& conflict) {
     return std::minmax(conflict.solids[0], conflict.solids[1]) == std::minmax(pair[0], pair[1]);
   };
@@ -66,10 +66,10 @@ const FuseConflict& first_between(const Pair& pair, const std::vector<FuseConfli
 /// Without any of them nothing is wrong there.
 std::vector<PairFuse> fuse_pairs(const std::vector<TopoDS_Shape>& solids,
                                  const std::vector<FuseConflict>& conflicts, double noise) {
-  const std::set<Pair> pairs = blamed_pairs(solids, conflicts);
+  const std::set<SolidPair> pairs = blamed_pairs(solids, conflicts);
   std::vector<PairFuse> found;
   if (pairs.size() > kMostPairs) return found;
-  for (const Pair& pair : pairs) {
+  for (const SolidPair& pair : pairs) {
     const auto fuse = best_fuse({solids[pair[0]], solids[pair[1]]}, noise);
     PairFuse of{
         {pair, middle_of(solids[pair[0]]), "the general fuse failed"}, fuse->sound(), fuse->tolerance(), {}};
@@ -134,7 +134,7 @@ class Attempts {
     if (best_->sound() || best_->failed() || solids_.size() < 3) return true;
     std::vector<FuseConflict> at_odds, need_splines;
     std::set<std::size_t> which;
-    std::vector<Pair> joined_so;
+    std::vector<SolidPair> joined_so;
     double tolerance = 0.0;
     std::size_t most = 0, worst = 0;
     for (const PairFuse& pair : fuse_pairs(solids_, best_->conflicts(), noise_)) {
@@ -168,7 +168,7 @@ class Attempts {
     std::vector<std::vector<std::size_t>> choices;
     for (std::size_t i = 0; i < std::min(blamed.size(), kMostAlone); ++i) choices.push_back({blamed[i]});
     if (blamed.size() > 1) choices.push_back(blamed);
-    const std::set<Pair> pairs = blamed_pairs(solids_, best_->conflicts());
+    const std::set<SolidPair> pairs = blamed_pairs(solids_, best_->conflicts());
     for (const std::vector<std::size_t>& which : choices)
       if (attempt_as_splines(which, {pairs.begin(), pairs.end()}, 0.0)) return;
   }
@@ -191,7 +191,7 @@ class Attempts {
   /// thin, gaps or slivers are left. A group must have none of these, for there is another way: it can be
   /// fused without the solid to blame, and that with what becomes of the others, which is less work where
   /// they are many.
-  bool attempt_as_splines(const std::vector<std::size_t>& which, const std::vector<Pair>& at_odds,
+  bool attempt_as_splines(const std::vector<std::size_t>& which, const std::vector<SolidPair>& at_odds,
                           double tolerance) {
     if (solids_.size() > kMostAgain) return false;
     const std::optional<SplineSolids> splines = as_splines(solids_, which);
@@ -217,9 +217,9 @@ class Attempts {
 
   // Solids at odds meet: a fuse in which they have nothing in common has missed it.
   [[nodiscard]] bool joins(const GroupFuse& fuse, const std::vector<std::size_t>& as_splines,
-                           const std::vector<Pair>& at_odds) const {
+                           const std::vector<SolidPair>& at_odds) const {
     if (!fuse.sound()) return false;
-    for (const Pair& pair : at_odds)
+    for (const SolidPair& pair : at_odds)
       if (!fuse.have_common_edges(pair[0], pair[1])) return false;
     for (const std::size_t i : as_splines)
       if (!fuse.keeps_volume(i, solids_[i])) return false;

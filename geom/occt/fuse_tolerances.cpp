@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/sort_unique.h"
 #include "geom/occt/shape_box.h"
 
 namespace octet {
@@ -28,8 +29,7 @@ std::vector<double> fuse_tolerances(const std::vector<TopoDS_Shape>& solids, dou
   std::vector<double> all{noise};
   for (const Step& step : kSteps)
     all.push_back(std::min(step.of_all * diagonal, step.of_smallest * smallest));
-  std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end()), all.end());
+  sort_unique(all);
   return all;
 }
 

@@ -9,17 +9,15 @@
 #include <Precision.hxx>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
+#include "base/constants.h"
 #include "geom/occt/edge_loops.h"
 #include "geom/occt/loose_curves.h"
 #include "geom/occt/unrolled_loops.h"
 
 namespace octet {
 namespace {
-
-constexpr double kTurn = 2.0 * std::numbers::pi;
 
 /// The loops of a border, each turned as its edges are; empty where they do not all close.
 std::vector<EdgeLoop> loops_of(const std::vector<TopoDS_Edge>& border) {

@@ -13,11 +13,10 @@
 #include <cmath>
 
 #include "geom/occt/canonical.h"
+#include "geom/occt/sub_shapes.h"
 
 namespace octet {
 namespace {
-
-constexpr TopAbs_ShapeEnum kTypes[4] = {TopAbs_VERTEX, TopAbs_EDGE, TopAbs_FACE, TopAbs_SOLID};
 
 /// Volume, area or length and centre of mass; a vertex where there is neither (infinite or damaged entities).
 void measure(int dim, const TopoDS_Shape& shape, LeftOut& item) {
@@ -55,7 +54,7 @@ std::vector<LeftOut> left_out(const ShapeMaps& as_read, const Numbering& numberi
       measure(dim, shape, item);
       items.push_back(item);
       for (int below = 0; below < dim; ++below)
-        for (TopExp_Explorer it(shape, kTypes[below]); it.More(); it.Next()) told.Add(it.Current());
+        for (TopExp_Explorer it(shape, kShapeTypes[below]); it.More(); it.Next()) told.Add(it.Current());
     }
   return items;
 }

@@ -33,9 +33,9 @@
 #include <cmath>
 #include <gp_Sphere.hxx>
 #include <limits>
-#include <numbers>
 #include <optional>
 
+#include "base/constants.h"
 #include "geom/occt/bounded_sweeps.h"
 #include "geom/occt/canonical.h"
 #include "geom/occt/holed_torus.h"
@@ -49,8 +49,6 @@
 
 namespace octet {
 namespace {
-
-constexpr double kTurn = 2.0 * std::numbers::pi;
 
 struct Ball {
   gp_Sphere sphere;

@@ -38,7 +38,7 @@ namespace octet {
 namespace {
 
 /// A new curve must leave no more than this share of the gap.
-constexpr double kBetter = 0.2;
+constexpr double kMuchBetter = 0.2;
 /// More pieces win nothing where the curve is off by hardly more than the edge itself is off the face.
 constexpr double kAsOff = 1.05;
 constexpr int kFewest = 8, kMost = 256;
@@ -69,12 +69,12 @@ class Fit {
   /// where none is nearer than a share of `gap`.
   [[nodiscard]] Handle(Geom2d_Curve) best(double gap, double near) {
     Handle(Geom2d_Curve) best;
-    double least = kBetter * gap;
+    double least = kMuchBetter * gap;
     breaks_ = breaks(least);
     for (int pieces = kFewest; pieces <= kMost; pieces *= 2) {
       double edge_off = 0.0;
-      const Handle(Geom2d_BSplineCurve) curve = through(pieces, kBetter * gap, edge_off);
-      if (curve.IsNull() || edge_off > kBetter * gap) break;
+      const Handle(Geom2d_BSplineCurve) curve = through(pieces, kMuchBetter * gap, edge_off);
+      if (curve.IsNull() || edge_off > kMuchBetter * gap) break;
       const double off = std::max(edge_off, gap_between(*curve));
       if (off < least) {
         least = off;

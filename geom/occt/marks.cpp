@@ -7,13 +7,13 @@
 #include <map>
 #include <utility>
 
+#include "base/sort_unique.h"
 #include "geom/occt/caps.h"
 #include "geom/occt/left_out.h"
+#include "geom/occt/sub_shapes.h"
 
 namespace octet {
 namespace {
-
-constexpr TopAbs_ShapeEnum kTypes[4] = {TopAbs_VERTEX, TopAbs_EDGE, TopAbs_FACE, TopAbs_SOLID};
 
 /// By dimension and number as read, [0] unused.
 using MarksAsRead = std::array<std::vector<Marks>, 4>;
@@ -34,10 +34,10 @@ void mark(const Marks& label, bool with_name, Marks& marks) {
 void mark_all(const ShapeLabel& label, const ShapeMaps& as_read, MarksAsRead& marks) {
   const TopAbs_ShapeEnum own = label.shape.ShapeType();
   for (int dim = 0; dim < 4; ++dim) {
-    if (own != kTypes[dim] && dim < 2) continue;
+    if (own != kShapeTypes[dim] && dim < 2) continue;
     TopTools_IndexedMapOfShape entities;
-    TopExp::MapShapes(label.shape, kTypes[dim], entities);
-    const bool with_name = own == kTypes[dim] || (dim == 3 && !label.is_assembly);
+    TopExp::MapShapes(label.shape, kShapeTypes[dim], entities);
+    const bool with_name = own == kShapeTypes[dim] || (dim == 3 && !label.is_assembly);
     for (int i = 1; i <= entities.Extent(); ++i)
       if (const int number = as_read.of[dim].FindIndex(entities(i)); number > 0)
         mark(label.marks, with_name, marks[static_cast<std::size_t>(dim)][static_cast<std::size_t>(number)]);
@@ -166,8 +166,7 @@ std::vector<PartNode> tree_of(const std::vector<PlacedPart>& placed, const Shell
   for (const auto& [region, index] : shell_owner)
     tree[static_cast<std::size_t>(index)].regions.push_back(region);
   for (PartNode& node : tree) {
-    std::sort(node.regions.begin(), node.regions.end());
-    node.regions.erase(std::unique(node.regions.begin(), node.regions.end()), node.regions.end());
+    sort_unique(node.regions);
   }
   return tree;
 }

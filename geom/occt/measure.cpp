@@ -27,7 +27,7 @@ constexpr int kFreeGapSamples = 100;  // where the gap may swing with the knots
 constexpr double kGapShare = 1.2;
 /// Of the part's diagonal: an edge that is farther off its faces or vertices, and farther than half its
 /// length (a circle whose two curves start at opposite places is off by a third), is misplaced.
-constexpr double kMisplaced = 0.05;
+constexpr double kMisplacedShare = 0.05;
 
 /// Where coordinates are no finer than 1e-4 mm no part can be told from its neighbourhood.
 constexpr double kFarthest = 1e12;  // mm
@@ -42,7 +42,7 @@ void refuse_far(const Vec3& point, ModelRef entity, const char* kind) {
 }
 
 /// Of the vertices and edges; fails where one lies beyond kFarthest or nowhere.
-double diagonal_of(const ModelParts& parts) {
+double diagonal_of_parts(const ModelParts& parts) {
   Box3 box;
   const auto add = [&box](const Vec3& point, ModelRef entity, const char* kind) {
     refuse_far(point, entity, kind);
@@ -114,7 +114,8 @@ void measure_edges(const Numbering& numbering, double floor, ModelParts& parts) 
 void refuse_misplaced(const Numbering& numbering, int tag, double diagonal, const ModelParts& parts) {
   const ModelEdge& edge = parts.edges[tag];
   const double gap = edge.tolerance / kGapShare;
-  if (edge.use == EdgeUse::kDegenerate || gap <= std::max(0.5 * edge.length, kMisplaced * diagonal)) return;
+  if (edge.use == EdgeUse::kDegenerate || gap <= std::max(0.5 * edge.length, kMisplacedShare * diagonal))
+    return;
   int worst = edge.faces.front();
   double widest = 0.0;
   for (const int face : edge.faces) {
@@ -132,7 +133,8 @@ void refuse_misplaced(const Numbering& numbering, int tag, double diagonal, cons
 /// Loops are open where an edge ends far from its vertex.
 void refuse_open_end(std::size_t tag, int vertex, const Vec3& end, double gap, double diagonal,
                      const ModelEdge& edge) {
-  if (edge.use == EdgeUse::kDegenerate || gap <= std::max(0.5 * edge.length, kMisplaced * diagonal)) return;
+  if (edge.use == EdgeUse::kDegenerate || gap <= std::max(0.5 * edge.length, kMisplacedShare * diagonal))
+    return;
   throw ModelError(
       fmt::format("Edge {} ends at ({:.6g}, {:.6g}, {:.6g}), {:.3g} mm off Vertex {}, and is {:.3g} mm long: "
                   "the loops that it is in are open there",
@@ -184,7 +186,7 @@ void integrate(const Numbering& numbering, ModelParts& parts) {
 }  // namespace
 
 void measure_gaps(const Numbering& numbering, ModelParts& parts) {
-  const double diagonal = diagonal_of(parts);
+  const double diagonal = diagonal_of_parts(parts);
   // OCCT's own floor, but no more than rounding allows on a small part.
   const double floor = std::min(1e-7, 1e-8 * diagonal);
   measure_edges(numbering, floor, parts);

@@ -26,16 +26,14 @@
 #include <gp_Pnt2d.hxx>
 #include <gp_Vec.hxx>
 #include <limits>
-#include <numbers>
 #include <optional>
 #include <vector>
 
+#include "base/constants.h"
 #include "geom/occt/sub_shapes.h"
 
 namespace octet {
 namespace {
-
-constexpr double kTurn = 2.0 * std::numbers::pi;
 
 /// A loop once around the axis, in (u,v).
 struct Ring {

@@ -17,7 +17,7 @@ namespace octet {
 namespace {
 
 /// Places along either parameter of a face.
-constexpr int kPlaces = 6;
+constexpr int kPlacesEachWay = 6;
 
 /// The surface of a face if it is a closed form, be it written as something else; null if not.
 std::shared_ptr<const Surface> closed_form(const TopoDS_Face& face) {
@@ -59,10 +59,10 @@ class Sheet {
     const auto from_occt = from_occt_uv(*surface_);
     double u0 = 0.0, u1 = 0.0, v0 = 0.0, v1 = 0.0;
     BRepTools::UVBounds(of_.face, u0, u1, v0, v1);
-    for (int i = 0; i < kPlaces; ++i)
-      for (int j = 0; j < kPlaces; ++j) {
-        const Vec2 uv =
-            from_occt(Vec2(u0 + (u1 - u0) * (i + 0.5) / kPlaces, v0 + (v1 - v0) * (j + 0.5) / kPlaces));
+    for (int i = 0; i < kPlacesEachWay; ++i)
+      for (int j = 0; j < kPlacesEachWay; ++j) {
+        const Vec2 uv = from_occt(
+            Vec2(u0 + (u1 - u0) * (i + 0.5) / kPlacesEachWay, v0 + (v1 - v0) * (j + 0.5) / kPlacesEachWay));
         if (holds(uv)) places_->push_back(surface_->evaluate(uv, 0).p);
       }
     return *places_;

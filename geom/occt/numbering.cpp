@@ -7,7 +7,9 @@
 #include <TopTools_ListOfShape.hxx>
 #include <algorithm>
 
+#include "base/sort_unique.h"
 #include "geom/occt/gathered.h"
+#include "geom/occt/sub_shapes.h"
 
 namespace octet {
 namespace {
@@ -22,11 +24,10 @@ struct Trace {
 /// Edges and vertices that lie within a solid and on no face are not among them.
 ShapeMaps maps_of(const std::vector<TopoDS_Shape>& solids) {
   ShapeMaps maps(compound_of(solids));
-  constexpr TopAbs_ShapeEnum kTypes[2] = {TopAbs_VERTEX, TopAbs_EDGE};
   for (int dim = 0; dim < 2; ++dim) {
     maps.of[dim].Clear();
     for (int f = 1; f <= maps.of[2].Extent(); ++f)
-      TopExp::MapShapes(maps.of[2](f), kTypes[dim], maps.of[dim]);
+      TopExp::MapShapes(maps.of[2](f), kShapeTypes[dim], maps.of[dim]);
   }
   return maps;
 }
@@ -40,8 +41,7 @@ Trace trace(const TopTools_IndexedMapOfShape& as_read, const TopTools_IndexedMap
     auto& images = result.images[static_cast<std::size_t>(number)];
     for (const TopoDS_Shape& image : images_of(as_read(number), set))
       if (const int index = final.FindIndex(image); index > 0) images.push_back(index);
-    std::sort(images.begin(), images.end());
-    images.erase(std::unique(images.begin(), images.end()), images.end());
+    sort_unique(images);
     for (const int index : images) result.sources[static_cast<std::size_t>(index)].push_back(number);
   }
   return result;

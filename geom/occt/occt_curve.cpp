@@ -6,17 +6,18 @@
 #include <cmath>
 
 #include "base/segment.h"
+#include "base/sort_unique.h"
 #include "geom/occt/curve_jets.h"
 
 namespace octet {
 namespace {
 
-constexpr double kTurn = 0.15;       // sample chords turn less than this, radians
-constexpr int kMinPieces = 8;        // per knot span
-constexpr int kMaxBisections = 10;   // of a piece
-constexpr int kRootIterations = 60;  // bisections halve to the last bit
-constexpr double kNoExtent = 1e-13;  // of the coordinates: a planar curve's rounding
-constexpr std::size_t kBlock = 8;    // pieces that share a box
+constexpr double kChordTurnMost = 0.15;  // sample chords turn less than this, radians
+constexpr int kMinPieces = 8;            // per knot span
+constexpr int kMaxPieceBisections = 10;  // of a piece
+constexpr int kRootIterations = 60;      // bisections halve to the last bit
+constexpr double kNoExtent = 1e-13;      // of the coordinates: a planar curve's rounding
+constexpr std::size_t kBlock = 8;        // pieces that share a box
 
 class OcctCurve final : public Curve {
  public:
@@ -36,7 +37,8 @@ class OcctCurve final : public Curve {
       Block block;
       for (std::size_t i = begin; i <= end_of(begin); ++i) {
         block.samples.add(sample_[i]);
-        if (i > begin) block.bulge = std::max(block.bulge, kTurn * (sample_[i] - sample_[i - 1]).norm());
+        if (i > begin)
+          block.bulge = std::max(block.bulge, kChordTurnMost * (sample_[i] - sample_[i - 1]).norm());
       }
       blocks_.push_back(block);
     }
@@ -89,15 +91,14 @@ std::vector<double> OcctCurve::breaks() const {
       if (period <= 0.0) break;
     }
   }
-  std::sort(breaks.begin(), breaks.end());
-  breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
+  sort_unique(breaks);
   return breaks;
 }
 
 void OcctCurve::sample(double a, double b, int depth) {
   const Vec3 da = derivative(a), db = derivative(b);
   const double turn = std::atan2(da.cross(db).norm(), da.dot(db));
-  if (turn > kTurn && depth < kMaxBisections) {
+  if (turn > kChordTurnMost && depth < kMaxPieceBisections) {
     sample(a, 0.5 * (a + b), depth + 1);
     sample(0.5 * (a + b), b, depth + 1);
     return;
@@ -132,7 +133,7 @@ double OcctCurve::project(const Vec3& p, double hint) const {
   const auto chord_distance = [&](std::size_t i) {
     return distance_to_segment(p, sample_[i], sample_[i + 1]);
   };
-  const auto bulge = [&](std::size_t i) { return kTurn * (sample_[i + 1] - sample_[i]).norm(); };
+  const auto bulge = [&](std::size_t i) { return kChordTurnMost * (sample_[i + 1] - sample_[i]).norm(); };
   const auto above = std::upper_bound(sample_t_.begin() + 1, sample_t_.end() - 1, hint);
   const std::size_t own =
       std::min(static_cast<std::size_t>(above - sample_t_.begin()) - 1, sample_.size() - 2);
@@ -252,7 +253,7 @@ void OcctCurve::cut(const Vec3& normal, double offset, std::vector<double>& para
     if (std::abs(b.samples.centre().dot(normal) - offset) > reach) continue;
     for (std::size_t i = kBlock * block; i < end_of(kBlock * block); ++i) {
       const auto [lo, hi] = std::minmax({sample_[i].dot(normal), sample_[i + 1].dot(normal)});
-      const double bulge = kTurn * (sample_[i + 1] - sample_[i]).norm();
+      const double bulge = kChordTurnMost * (sample_[i + 1] - sample_[i]).norm();
       if (offset < lo - bulge || offset > hi + bulge) continue;
       cut_piece(normal, offset, sample_t_[i], sample_t_[i + 1], parameters);
     }

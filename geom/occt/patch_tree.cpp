@@ -14,14 +14,14 @@
 namespace octet {
 namespace {
 
-constexpr int kSamples = 4;         // per direction: resolves the second derivatives of a bicubic span
-constexpr double kInflate = 1.5;    // sampled bounds to bounds
-constexpr double kFlat = 0.02;      // deviation / size of a leaf: about 0.16 radians of turning
-constexpr int kMaxDepth = 14;       // of a leaf below its knot span
-constexpr int kMaxBisections = 48;  // of a leaf while roots are isolated
-constexpr int kKeptDepth = 8;       // of a leaf, from where on halves are made anew for each segment
-constexpr int kBudget = 4000;       // cells looked at in one leaf before the rest is taken as touching
-constexpr double kUnique = 0.7;     // a contraction: Newton from the centre converges to the only root
+constexpr int kSamples = 4;             // per direction: resolves the second derivatives of a bicubic span
+constexpr double kInflateBounds = 1.5;  // sampled bounds to bounds
+constexpr double kFlat = 0.02;          // deviation / size of a leaf: about 0.16 radians of turning
+constexpr int kMaxDepth = 14;           // of a leaf below its knot span
+constexpr int kMaxBisections = 48;      // of a leaf while roots are isolated
+constexpr int kKeptDepth = 8;           // of a leaf, from where on halves are made anew for each segment
+constexpr int kBudget = 4000;           // cells looked at in one leaf before the rest is taken as touching
+constexpr double kUnique = 0.7;         // a contraction: Newton from the centre converges to the only root
 
 /// The part of the segment inside a box, as an interval of t.
 std::optional<std::pair<double, double>> clip(const Vec3& p, const Vec3& d, const Box3& box) {
@@ -99,7 +99,7 @@ PatchTree::Patch PatchTree::measured(const UvCell& cell) const {
       patch.second = patch.second.cwiseMax(Vec3(jet.duu.norm(), jet.duv.norm(), jet.dvv.norm()));
       patch.box.add(jet.p);
     }
-  patch.second *= kInflate;
+  patch.second *= kInflateBounds;
   return patch;
 }
 

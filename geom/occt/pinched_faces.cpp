@@ -112,7 +112,7 @@ std::vector<double> crossings(const Geom2d_Curve& curve, double first, double la
 }
 
 /// A side of a loop as it runs in (u,v), in one of the bands between the poles.
-struct Side {
+struct PinchSide {
   TopoDS_Edge edge;
   gp_Pnt2d start, end;
   std::size_t band = 0;
@@ -120,7 +120,7 @@ struct Side {
 };
 
 /// Where a loop goes from one band to the next.
-struct Crossing {
+struct PinchCrossing {
   double u = 0.0;
   std::size_t from = 0, to = 0;  ///< sides
   bool up = false;
@@ -157,7 +157,7 @@ class Parting {
   void add_side(const TopoDS_Edge& edge) {
     double t0 = 0.0, t1 = 0.0;
     const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, face_, t0, t1);
-    Side side{edge, curve->Value(t0), curve->Value(t1), band_of(curve->Value(0.5 * (t0 + t1)).Y()), 0};
+    PinchSide side{edge, curve->Value(t0), curve->Value(t1), band_of(curve->Value(0.5 * (t0 + t1)).Y()), 0};
     if (edge.Orientation() == TopAbs_REVERSED) std::swap(side.start, side.end);
     sides_.push_back(side);
   }
@@ -168,7 +168,7 @@ class Parting {
   }
 
   bool add_crossing(std::size_t s) {
-    const Side &from = sides_[s], &to = sides_[from.next];
+    const PinchSide &from = sides_[s], &to = sides_[from.next];
     if (from.band == to.band) return true;
     const bool up = to.band > from.band;
     const std::size_t pole = std::min(from.band, to.band);
@@ -180,11 +180,12 @@ class Parting {
   /// Joins the loops on either side of the pole along it: what is between a loop's way down and the next way
   /// up is in the face.
   bool bridge(std::size_t pole) {
-    std::vector<Crossing>& row = crossings_[pole];
-    std::stable_sort(row.begin(), row.end(), [](const Crossing& a, const Crossing& b) { return a.u < b.u; });
+    std::vector<PinchCrossing>& row = crossings_[pole];
+    std::stable_sort(row.begin(), row.end(),
+                     [](const PinchCrossing& a, const PinchCrossing& b) { return a.u < b.u; });
     if (row.size() % 2 != 0) return false;
     for (std::size_t i = 0; i < row.size(); i += 2) {
-      const Crossing &down = row[i], &up = row[i + 1];
+      const PinchCrossing &down = row[i], &up = row[i + 1];
       if (down.up || !up.up) return false;
       add_bridge(pole, down.from, up.to, down.u, up.u);  // of the part above
       add_bridge(pole, up.from, down.to, up.u, down.u);
@@ -263,8 +264,8 @@ class Parting {
   TopoDS_Face face_;
   std::vector<Pole> poles_;
   PoleVertices& vertices_;
-  std::vector<Side> sides_;
-  std::vector<std::vector<Crossing>> crossings_;  ///< by pole
+  std::vector<PinchSide> sides_;
+  std::vector<std::vector<PinchCrossing>> crossings_;  ///< by pole
 };
 
 struct Pinched {

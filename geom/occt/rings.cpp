@@ -32,7 +32,7 @@ namespace {
 /// Corners of loops may be farther apart than their sides.
 constexpr double kCorner = 2.0;
 
-using Loop = std::vector<TopoDS_Edge>;
+using RingLoop = std::vector<TopoDS_Edge>;
 
 bool share_a_vertex(const TopoDS_Edge& a, const TopoDS_Edge& b) {
   const TopoDS_Vertex first = TopExp::FirstVertex(a), last = TopExp::LastVertex(a);
@@ -43,8 +43,8 @@ bool share_a_vertex(const TopoDS_Edge& a, const TopoDS_Edge& b) {
 }
 
 /// The edges of the face by the loops that they make, without seams; none: an edge is degenerate.
-std::vector<Loop> loops_of(const TopoDS_Face& face) {
-  Loop edges;
+std::vector<RingLoop> loops_of(const TopoDS_Face& face) {
+  RingLoop edges;
   for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
     const TopoDS_Edge edge = TopoDS::Edge(it.Current().Oriented(TopAbs_FORWARD));
     if (BRep_Tool::Degenerated(edge)) return {};
@@ -55,9 +55,9 @@ std::vector<Loop> loops_of(const TopoDS_Face& face) {
       edges.erase(twin);
     }
   }
-  std::vector<Loop> loops;
+  std::vector<RingLoop> loops;
   while (!edges.empty()) {
-    Loop loop{edges.front()};
+    RingLoop loop{edges.front()};
     edges.erase(edges.begin());
     for (bool found = true; found;) {
       const auto next = std::find_if(edges.begin(), edges.end(),
@@ -77,7 +77,7 @@ double distance(const TopoDS_Vertex& a, const TopoDS_Vertex& b) {
 }
 
 /// An edge that goes, and the one in its place.
-struct Pair {
+struct EdgePair {
   TopoDS_Edge gone, kept;
   bool same_way = true;
 };
@@ -92,11 +92,11 @@ bool turn_alike(const TopoDS_Edge& a, const TopoDS_Edge& b) {
   return along_a.Dot(along_b) > 0.0;
 }
 
-std::optional<Pair> match(const TopoDS_Edge& gone, const TopoDS_Edge& kept, double width) {
+std::optional<EdgePair> match(const TopoDS_Edge& gone, const TopoDS_Edge& kept, double width) {
   const TopoDS_Vertex g0 = TopExp::FirstVertex(gone), g1 = TopExp::LastVertex(gone),
                       k0 = TopExp::FirstVertex(kept), k1 = TopExp::LastVertex(kept);
   if (g0.IsSame(g1) != k0.IsSame(k1)) return std::nullopt;
-  Pair pair{gone, kept, true};
+  EdgePair pair{gone, kept, true};
   if (g0.IsSame(g1)) {
     if (distance(g0, k0) > kCorner * width) return std::nullopt;
     pair.same_way = turn_alike(gone, kept);
@@ -112,11 +112,11 @@ std::optional<Pair> match(const TopoDS_Edge& gone, const TopoDS_Edge& kept, doub
 }
 
 /// Each edge of one loop beside one of the other; empty: not so.
-std::vector<Pair> match_loops(const Loop& gone, Loop kept, double width) {
-  std::vector<Pair> pairs;
+std::vector<EdgePair> match_loops(const RingLoop& gone, RingLoop kept, double width) {
+  std::vector<EdgePair> pairs;
   if (gone.size() != kept.size()) return {};
   for (const TopoDS_Edge& edge : gone) {
-    std::optional<Pair> found;
+    std::optional<EdgePair> found;
     for (std::size_t i = 0; i < kept.size() && !found; ++i) {
       found = match(edge, kept[i], width);
       if (found) kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(i));
@@ -145,17 +145,18 @@ class Merger {
 
  private:
   bool take(const TopoDS_Face& face) {
-    const std::vector<Loop> loops = loops_of(face);
+    const std::vector<RingLoop> loops = loops_of(face);
     if (loops.size() != 2) return false;
-    const std::vector<Pair> pairs = match_loops(loops[1], loops[0], width_);
-    if (pairs.empty() || !std::all_of(pairs.begin(), pairs.end(), [&](const Pair& p) { return is_free(p); }))
+    const std::vector<EdgePair> pairs = match_loops(loops[1], loops[0], width_);
+    if (pairs.empty() ||
+        !std::all_of(pairs.begin(), pairs.end(), [&](const EdgePair& p) { return is_free(p); }))
       return false;
-    for (const Pair& pair : pairs) join(pair);
+    for (const EdgePair& pair : pairs) join(pair);
     changes_->Remove(face);
     return true;
   }
 
-  [[nodiscard]] bool is_free(const Pair& pair) const {
+  [[nodiscard]] bool is_free(const EdgePair& pair) const {
     for (const TopoDS_Edge& edge : {pair.gone, pair.kept}) {
       if (faces_of_.FindFromKey(edge).Extent() != 2 || touched_.Contains(TopExp::FirstVertex(edge)) ||
           touched_.Contains(TopExp::LastVertex(edge)))
@@ -164,7 +165,7 @@ class Merger {
     return true;
   }
 
-  void join(const Pair& pair) {
+  void join(const EdgePair& pair) {
     const TopoDS_Edge &gone = pair.gone, &kept = pair.kept;
     BRep_Builder().UpdateEdge(kept, edge_distance(gone, kept, std::numeric_limits<double>::infinity()));
     changes_->Replace(gone, kept.Oriented(pair.same_way ? TopAbs_FORWARD : TopAbs_REVERSED));

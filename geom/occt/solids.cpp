@@ -119,8 +119,7 @@ std::string voids_in(const std::vector<TopoDS_Shape>& solids) {
 }  // namespace
 
 ShapeMaps::ShapeMaps(const TopoDS_Shape& shape) {
-  constexpr TopAbs_ShapeEnum kTypes[4] = {TopAbs_VERTEX, TopAbs_EDGE, TopAbs_FACE, TopAbs_SOLID};
-  for (int dim = 0; dim < 4; ++dim) TopExp::MapShapes(shape, kTypes[dim], of[dim]);
+  for (int dim = 0; dim < 4; ++dim) TopExp::MapShapes(shape, kShapeTypes[dim], of[dim]);
 }
 
 TopTools_ListOfShape images_of(const TopoDS_Shape& shape, const SolidSet& set) {

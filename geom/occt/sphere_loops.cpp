@@ -5,12 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
+
+#include "base/constants.h"
 
 namespace octet {
 namespace {
 
-constexpr double kPi = std::numbers::pi, kSphere = 4.0 * kPi;
+constexpr double kSphere = 4.0 * kPi;
 constexpr int kBins = 720;  // of azimuth
 
 using Bins = std::array<bool, kBins>;

@@ -24,17 +24,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <vector>
 
+#include "base/constants.h"
 #include "geom/occt/shape_measures.h"
 #include "geom/occt/sub_shapes.h"
 
 namespace octet {
 namespace {
-
-constexpr double kTurn = 2.0 * std::numbers::pi;
 
 std::optional<gp_Sphere> sphere_of(const TopoDS_Face& face) {
   const auto surface = Handle(Geom_SphericalSurface)::DownCast(BRep_Tool::Surface(face));
@@ -59,7 +57,7 @@ bool fold(const TopoDS_Face& a, const TopoDS_Face& b) {
 }
 
 /// A side of a loop with its curve in (u,v), as the edge runs.
-struct Side {
+struct BallSide {
   TopoDS_Edge edge;
   Handle(Geom2d_Curve) curve;
   double first = 0.0, last = 0.0;
@@ -72,17 +70,17 @@ struct Side {
 
 /// The sides of the face's one loop, from behind a pole on; empty where it does not run through two, or has a
 /// seam.
-std::vector<Side> loop_through_poles(const TopoDS_Face& face) {
-  std::vector<Side> loop;
+std::vector<BallSide> loop_through_poles(const TopoDS_Face& face) {
+  std::vector<BallSide> loop;
   if (sub_shapes(face, TopAbs_WIRE).Extent() != 1) return loop;
   const TopoDS_Wire wire = TopoDS::Wire(TopExp_Explorer(face, TopAbs_WIRE).Current());
   for (BRepTools_WireExplorer it(wire, face); it.More(); it.Next()) {
-    Side side{it.Current(), {}, 0.0, 0.0};
+    BallSide side{it.Current(), {}, 0.0, 0.0};
     side.curve = BRep_Tool::CurveOnSurface(side.edge, face, side.first, side.last);
     if (side.curve.IsNull() || BRep_Tool::IsClosed(side.edge, face)) return {};
     loop.push_back(side);
   }
-  const auto is_pole = [](const Side& side) { return side.is_pole(); };
+  const auto is_pole = [](const BallSide& side) { return side.is_pole(); };
   if (loop.size() != static_cast<std::size_t>(sub_shapes(face, TopAbs_EDGE).Extent()) ||
       std::count_if(loop.begin(), loop.end(), is_pole) != 2)
     return {};
@@ -93,16 +91,17 @@ std::vector<Side> loop_through_poles(const TopoDS_Face& face) {
 /// The face with the other side of its loop, which then runs the other way round; null where it has none.
 /// `face` is FORWARD, the result REVERSED: along its edges it is used as before.
 TopoDS_Face other_side_of(const TopoDS_Face& face) {
-  std::vector<Side> loop = loop_through_poles(face);
+  std::vector<BallSide> loop = loop_through_poles(face);
   if (loop.empty()) return {};
-  const auto pole = std::find_if(loop.begin(), loop.end(), [](const Side& side) { return side.is_pole(); });
+  const auto pole =
+      std::find_if(loop.begin(), loop.end(), [](const BallSide& side) { return side.is_pole(); });
   // What is before the first pole in the list goes once around, so that the way over the poles is the other.
   const double way = pole->end().X() - pole->start().X();
   const gp_Vec2d shift(std::copysign(kTurn, way), 0.0);
   for (auto side = loop.begin(); side != pole; ++side)
     side->curve = Handle(Geom2d_Curve)::DownCast(side->curve->Translated(shift));
   for (std::size_t i = 0; i < loop.size(); ++i) {
-    Side& side = loop[i];
+    BallSide& side = loop[i];
     if (!side.is_pole()) continue;
     gp_Pnt2d from = loop[(i + loop.size() - 1) % loop.size()].end(), to = loop[(i + 1) % loop.size()].start();
     if (!side.runs_forward()) std::swap(from, to);
@@ -119,7 +118,7 @@ TopoDS_Face other_side_of(const TopoDS_Face& face) {
   builder.MakeFace(made, surface, location, BRep_Tool::Tolerance(face));
   TopoDS_Wire wire;
   builder.MakeWire(wire);
-  for (const Side& side : loop) {
+  for (const BallSide& side : loop) {
     builder.UpdateEdge(side.edge, side.curve, surface, location, Precision::Confusion());
     builder.Range(side.edge, surface, location, side.first, side.last);
     builder.Add(wire, side.edge);

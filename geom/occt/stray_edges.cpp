@@ -41,15 +41,15 @@ namespace octet {
 namespace {
 
 /// A new edge is no farther from its faces than this share of the old gap.
-constexpr double kBetter = 0.1;
+constexpr double kBetterEdge = 0.1;
 /// So many gaps a point may move: faces that meet at 15 degrees.
-constexpr double kFarthest = 4.0;
+constexpr double kFarthestStray = 4.0;
 /// Directions that all the planes at a point say less of than this, of what they say of another, are free:
 /// across an edge between two faces of one surface, or that are near to tangent.
 constexpr double kFree = 0.01;
 /// A face that is no wider than so many gaps is a strip, for geom/occt/strips to judge by its sides.
 constexpr double kWide = 4.0;
-constexpr int kFewest = 16, kMost = 1024;
+constexpr int kFewestSamples = 16, kMostSamples = 1024;
 constexpr int kMostSteps = 40;
 
 /// A surface and where on it a point's foot was last.
@@ -185,8 +185,8 @@ class Drawing {
   /// None where the faces do not meet all along.
   [[nodiscard]] std::optional<Drawn> best() const {
     std::optional<Drawn> best;
-    double least = kBetter * stray_.gap;
-    for (int pieces = kFewest; pieces <= kMost; pieces *= 2) {
+    double least = kBetterEdge * stray_.gap;
+    for (int pieces = kFewestSamples; pieces <= kMostSamples; pieces *= 2) {
       const std::optional<Drawn> drawn = through(pieces);
       if (!drawn) return std::nullopt;
       const double gap = gap_between(*drawn);
@@ -221,7 +221,7 @@ class Drawing {
         for (Footing& sheet : sheets) sheet.follow(*point);
       else
         point = meet(old + (1.0 - share) * off_first + share * off_last, sheets, none, 1e-3 * stray_.apart);
-      if (!point || (*point - old).norm() > kFarthest * stray_.gap) return std::nullopt;
+      if (!point || (*point - old).norm() > kFarthestStray * stray_.gap) return std::nullopt;
       if (i > 0 && !((*point - before).dot(old - old_before) > 0.0)) return std::nullopt;  // it turns back
       before = *point;
       old_before = old;
@@ -407,7 +407,7 @@ class Redrawing {
       if (!is_stray(edge)) tracks.push_back({curve, is_first ? t0 : t1});
     }
     const std::optional<Vec3> place = meet(at, sheets, tracks, apart);
-    if (!place || (*place - at).norm() > kFarthest * gap) return false;
+    if (!place || (*place - at).norm() > kFarthestStray * gap) return false;
     places_[v] = *place;
     return true;
   }

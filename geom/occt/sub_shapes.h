@@ -9,6 +9,9 @@
 
 namespace octet {
 
+/// Of vertices, edges, faces and solids, by dimension.
+inline constexpr TopAbs_ShapeEnum kShapeTypes[4] = {TopAbs_VERTEX, TopAbs_EDGE, TopAbs_FACE, TopAbs_SOLID};
+
 /// The vertices, edges, faces or solids of a shape, in the order of TopExp::MapShapes.
 inline TopTools_IndexedMapOfShape sub_shapes(const TopoDS_Shape& shape, TopAbs_ShapeEnum type) {
   TopTools_IndexedMapOfShape map;

@@ -27,7 +27,7 @@ namespace octet {
 namespace {
 
 constexpr double kOwnDeflectionShare = 1.0 / 50.0;  // of the diagonal of the solids at the face
-constexpr double kAngle = 0.3;                      // radians between neighbouring facets
+constexpr double kFacetTurn = 0.3;                  // radians between neighbouring facets
 constexpr auto kNone = static_cast<std::uint32_t>(-1);
 
 /// One face's OCCT triangulation, and its nodes' numbers in the welded set.
@@ -51,7 +51,7 @@ TopoDS_Compound clean(const Numbering& numbering) {
 
 void run_mesher(const Numbering& numbering, double deflection) {
   const TopoDS_Compound all = clean(numbering);
-  const BRepMesh_IncrementalMesh mesher(all, deflection, false, kAngle, false);
+  const BRepMesh_IncrementalMesh mesher(all, deflection, false, kFacetTurn, false);
 }
 
 class Welder {

@@ -18,6 +18,7 @@
 #include <set>
 
 #include "base/error.h"
+#include "base/sort_unique.h"
 #include "geom/occt/canonical.h"
 #include "geom/occt/face_trim.h"
 
@@ -56,8 +57,7 @@ void fill_edges(const Numbering& numbering, ModelParts& parts) {
     for (const int v : out.vertex) parts.vertices[v].edges.push_back(tag);
   }
   for (ModelVertex& vertex : parts.vertices) {
-    std::sort(vertex.edges.begin(), vertex.edges.end());
-    vertex.edges.erase(std::unique(vertex.edges.begin(), vertex.edges.end()), vertex.edges.end());
+    sort_unique(vertex.edges);
   }
 }
 
@@ -192,8 +192,7 @@ void fill_regions(const Numbering& numbering, ModelParts& parts) {
     for (TopExp_Explorer it(numbering.solid(region), TopAbs_FACE); it.More(); it.Next())
       add_face_to_region(numbering, it.Current(), region, parts);
     auto& faces = parts.regions[region].faces;
-    std::sort(faces.begin(), faces.end());
-    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    sort_unique(faces);
   }
 }
 

@@ -50,9 +50,9 @@ std::optional<Cut> touch_of(const TopoDS_Vertex& vertex, const TopoDS_Edge& edge
 }
 
 /// The touches of each edge of the solid by the vertices of its faces.
-class Search {
+class TouchSearch {
  public:
-  Search(const TopoDS_Shape& solid, double width)
+  TouchSearch(const TopoDS_Shape& solid, double width)
       : width_(width), edges_(sub_shapes(solid, TopAbs_EDGE)), boxes_(boxes()) {
     const TopTools_IndexedMapOfShape faces = sub_shapes(solid, TopAbs_FACE);
     for (int i = 1; i <= faces.Extent(); ++i) look_at(faces(i));
@@ -99,7 +99,7 @@ class Search {
 }  // namespace
 
 Repair split_touched_edges(const TopoDS_Shape& solid, double width) {
-  const Search search(solid, width);
+  const TouchSearch search(solid, width);
   return search.cuts.apply(solid, search.edges());
 }
 

@@ -29,7 +29,7 @@ namespace octet {
 namespace {
 
 constexpr double kEdgeShare = 0.5;     // of the deflection, so that sides athwart are not too coarse either
-constexpr double kAngle = 0.3;         // radians between the tangents at the ends of a chord
+constexpr double kChordTurn = 0.3;     // radians between the tangents at the ends of a chord
 constexpr double kLeastTurning = 0.5;  // of the deflection on edges: shorter chords may turn
 constexpr int kHalvings = 12;          // of a piece of an edge
 constexpr std::size_t kMostPoints = 5000;    // of an edge
@@ -69,7 +69,7 @@ class Chain {
       if (closest_on_triangle(curve_.point(a + share * (b - a)), p, q, q).distance > deflection_) return true;
     if ((q - p).norm() <= kLeastTurning * deflection_) return false;
     const Vec3 s = curve_.derivative(a), t = curve_.derivative(b);
-    return s.dot(t) < std::cos(kAngle) * s.norm() * t.norm();
+    return s.dot(t) < std::cos(kChordTurn) * s.norm() * t.norm();
   }
 
   const Curve& curve_;

@@ -14,14 +14,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 
+#include "base/constants.h"
 #include "geom/occt/canonical.h"
 
 namespace octet {
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr int kPieces = 48;  // of an edge
 
 /// A curve through the places, which are in the order of the edge as it is turned.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Each region is told beside the CAD's, and the one that is least alike by name.
 #include "app/region_measures.h"
+#include "base/constants.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +13,6 @@
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "app/exit_code.h"
 #include "app/mesh_part.h"
@@ -21,8 +21,6 @@
 
 namespace octet {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 /// A block of 20, and a rod of radius 0.1 and height 1 in it.
 TopoDS_Shape block_and_rod() {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "finalize/finalize.h"
+#include "base/constants.h"
 
 #include <gtest/gtest.h>
 
@@ -19,8 +20,6 @@ namespace {
 
 using testing::faults_of;
 using testing::Part;
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 /// Finalizes a jittered part and holds it to all that finalize() promises.
 FinalizeReport finalize_and_check(Part& part, double size) {

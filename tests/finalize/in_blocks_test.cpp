@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Large meshes in blocks: cut, put together, and finalized as the whole is.
 #include "finalize/in_blocks.h"
+#include "base/constants.h"
 
 #include <gtest/gtest.h>
 #include <oneapi/tbb/task_arena.h>
@@ -8,7 +9,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
-#include <numbers>
 #include <numeric>
 #include <set>
 #include <string>
@@ -25,8 +25,6 @@ namespace {
 
 using testing::faults_of;
 using testing::Part;
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 std::vector<Mesh::Index> all_tets(const Mesh& mesh) {
   std::vector<Mesh::Index> tets(mesh.tets.size());

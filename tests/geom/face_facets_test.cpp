@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Facets of a face close on its boundary, whatever the loops do, and follow its surface.
 #include "geom/face_facets.h"
+#include "base/constants.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <map>
-#include <numbers>
 
 #include "geom/facet_bvh.h"
 #include "geom/planar_triangulation.h"
@@ -15,7 +15,6 @@
 namespace octet {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 using Loop = std::vector<std::uint32_t>;
 
 /// Appends a loop through the given points.

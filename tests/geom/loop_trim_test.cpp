@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // In and out of loops whose answer is known.
 #include "geom/loop_trim.h"
+#include "base/constants.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <random>
 
 namespace octet {
 namespace {
-
-constexpr double kTurn = 2.0 * std::numbers::pi;
 
 TrimCurve line(const Vec2& a, const Vec2& b, int from, int to, int edge) {
   TrimCurve curve;

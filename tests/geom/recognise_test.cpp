@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Closed forms are found again behind another parametrisation.
 #include "geom/recognise.h"
+#include "base/constants.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <string>
 
 #include "geom/quadrics.h"
@@ -13,8 +13,6 @@
 
 namespace octet {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 Axes3 tilted() {
   const Eigen::Matrix3d m = Eigen::AngleAxisd(0.7, Vec3(1, 2, -0.5).normalized()).toRotationMatrix();

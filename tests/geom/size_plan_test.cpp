@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Plans of sizes: what is refused, and how soon.
 #include "geom/size_plan.h"
+#include "base/constants.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +16,6 @@ namespace {
 
 using Where = SizeAttribute::Where;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 SizeControl control(double size, const std::string& wish, double unit = 1.0) {
   SizeControl control;

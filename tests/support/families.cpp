@@ -40,13 +40,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/constants.h"
 #include "tests/support/hook.h"
 #include "tests/support/with_void.h"
 
 namespace octet::test {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 TopoDS_Shape box(double x, double y, double z, double dx, double dy, double dz) {
   return BRepPrimAPI_MakeBox(gp_Pnt(x, y, z), dx, dy, dz).Shape();

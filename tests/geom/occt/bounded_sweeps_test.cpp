@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A hyperbola turned about an axis or drawn out, through STEP and BREP and back.
 #include "geom/occt/bounded_sweeps.h"
+#include "base/constants.h"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +22,6 @@
 #include <gp_Ax1.hxx>
 #include <gp_Ax2.hxx>
 #include <gp_Vec.hxx>
-#include <numbers>
 
 #include "geom/model_check.h"
 #include "geom/occt/read_part.h"
@@ -29,8 +29,6 @@
 
 namespace octet::test {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 /// What lies between a branch of the hyperbola x^2 - y^2 = 1 and a chord.
 TopoDS_Face cap() {

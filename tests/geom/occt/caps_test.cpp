@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Openings that lie in planes are closed where that is asked for, and nothing else is.
 #include "geom/occt/caps.h"
+#include "base/constants.h"
 
 #include <gtest/gtest.h>
 
@@ -20,7 +21,6 @@
 #include <gp_Pln.hxx>
 #include <gp_Pnt.hxx>
 #include <gp_Vec.hxx>
-#include <numbers>
 #include <set>
 
 #include "base/error.h"
@@ -34,7 +34,6 @@
 namespace octet::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kTolerance = 1e-6;
 
 ReadOptions capping() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Splines that are planes, quadrics and tori become these where they lie, and are fused as these.
 #include "geom/occt/closed_forms.h"
+#include "base/constants.h"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +19,6 @@
 #include <algorithm>
 #include <gp_Trsf.hxx>
 #include <map>
-#include <numbers>
 #include <utility>
 
 #include "geom/occt/curve_gaps.h"
@@ -31,8 +31,6 @@
 
 namespace octet::test {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 /// The solid in a shape, all of splines.
 TopoDS_Shape as_splines_all_over(const TopoDS_Shape& shape) {

@@ -35,8 +35,8 @@
 #include <algorithm>
 #include <cmath>
 #include <gp.hxx>
-#include <numbers>
 
+#include "base/constants.h"
 #include "geom/arc_length.h"
 #include "geom/occt/from_shape.h"
 #include "geom/occt/occt_curve.h"
@@ -46,8 +46,6 @@
 
 namespace octet {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 std::shared_ptr<const Surface> nurbs(const Handle(Geom_Surface) & surface, double u0, double u1, double v0,
                                      double v1) {

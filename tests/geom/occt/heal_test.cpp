@@ -42,8 +42,8 @@
 #include <gp_Pnt.hxx>
 #include <gp_Trsf.hxx>
 #include <gp_Vec.hxx>
-#include <numbers>
 
+#include "base/constants.h"
 #include "base/error.h"
 #include "geom/model_check.h"
 #include "geom/occt/from_shape.h"
@@ -55,8 +55,6 @@
 
 namespace octet::test {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 std::vector<TopoDS_Face> faces_of(const TopoDS_Shape& shape) {
   std::vector<TopoDS_Face> faces;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A solid that others cannot be fused with at once is fused with what became of them; those beyond follow.
 #include "geom/occt/late_fuse.h"
+#include "base/constants.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +15,6 @@
 #include <TopoDS.hxx>
 #include <gp.hxx>
 #include <gp_Trsf.hxx>
-#include <numbers>
 #include <string>
 
 #include "geom/model_check.h"
@@ -29,8 +29,6 @@
 
 namespace octet::test {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 TopoDS_Shape placed(const TopoDS_Shape& shape, const gp_Dir& axis, double angle, const gp_Vec& to) {
   gp_Trsf turn, move;

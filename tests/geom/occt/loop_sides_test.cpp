@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Solids with faces on spheres and tori that loops cut at the seam, through STEP and back.
 #include "geom/occt/loop_sides.h"
+#include "base/constants.h"
 
 #include <gtest/gtest.h>
 
@@ -36,7 +37,6 @@
 #include <gp_Ax2.hxx>
 #include <gp_Circ.hxx>
 #include <gp_Trsf.hxx>
-#include <numbers>
 
 #include "geom/model_check.h"
 #include "geom/occt/holed_torus.h"
@@ -51,7 +51,6 @@ namespace octet::test {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr double kPi = std::numbers::pi;
 
 // ---------------------------------------------------------------------------------------------------- loops
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Ogives as OCCT's reader leaves them: a round face with the rim of its base alone.
 #include "geom/occt/missing_poles.h"
+#include "base/constants.h"
 
 #include <gtest/gtest.h>
 
@@ -27,7 +28,6 @@
 #include <gp_Circ.hxx>
 #include <gp_Pln.hxx>
 #include <gp_Trsf.hxx>
-#include <numbers>
 #include <tuple>
 #include <vector>
 
@@ -39,7 +39,7 @@
 namespace octet::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi, kArc = 48.75, kRim = 1.5, kHeight = 12.0;
+constexpr double kArc = 48.75, kRim = 1.5, kHeight = 12.0;
 
 /// The meridian is a whole circle that meets the axis at both kHeight and -kHeight; the rim is in `pieces`.
 TopoDS_Shape ogive_without_pole(int pieces, bool upward) {

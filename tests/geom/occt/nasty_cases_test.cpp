@@ -29,8 +29,8 @@
 #include <TopoDS_Compound.hxx>
 #include <cmath>
 #include <gp_Circ.hxx>
-#include <numbers>
 
+#include "base/constants.h"
 #include "base/error.h"
 #include "geom/occt/gathered.h"
 #include "geom/opposite.h"
@@ -38,8 +38,6 @@
 
 namespace octet::test {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 TopoDS_Shape moved(const TopoDS_Shape& shape, double x, double y, double z) {
   gp_Trsf place;

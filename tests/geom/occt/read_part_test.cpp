@@ -5,10 +5,10 @@
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepTools.hxx>
 #include <fstream>
-#include <numbers>
 #include <sstream>
 #include <stdexcept>
 
+#include "base/constants.h"
 #include "base/error.h"
 #include "sample_parts.h"
 #include "tests/support/notes.h"
@@ -17,7 +17,6 @@ namespace octet::test {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr double kPi = std::numbers::pi;
 
 /// A file in the test's temporary directory that goes when the test ends.
 class TemporaryFile {

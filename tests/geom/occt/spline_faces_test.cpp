@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Faces as splines lie where they were, between the edges that they had.
 #include "geom/occt/spline_faces.h"
+#include "base/constants.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +16,6 @@
 #include <TopoDS.hxx>
 #include <gp_Trsf.hxx>
 #include <map>
-#include <numbers>
 
 #include "geom/occt/curve_gaps.h"
 #include "geom/occt/gathered.h"
@@ -27,8 +27,6 @@
 
 namespace octet::test {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 int count_splines(const TopoDS_Shape& shape) {
   int count = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Solids as splines are the same solids; what OCCT cannot join as it is can be joined so.
 #include "geom/occt/spline_solids.h"
+#include "base/constants.h"
 
 #include <gtest/gtest.h>
 
@@ -22,7 +23,6 @@
 #include <TopoDS.hxx>
 #include <gp.hxx>
 #include <gp_Trsf.hxx>
-#include <numbers>
 
 #include "geom/model_check.h"
 #include "geom/occt/converted_curves.h"
@@ -37,8 +37,6 @@
 
 namespace octet::test {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 double precise_volume(const TopoDS_Shape& shape) {
   GProp_GProps properties;

@@ -20,17 +20,15 @@
 #include <gp_Trsf.hxx>
 
 #include <algorithm>
-#include <numbers>
 #include <string_view>
 
+#include "base/constants.h"
 #include "geom/model_check.h"
 #include "geom/occt/from_shape.h"
 #include "sample_parts.h"
 
 namespace octet::test {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 TopoDS_Shape drilled(double x, double radius) {
   const gp_Ax2 axis(gp_Pnt(x, 5.0, -1.0), gp_Dir(0.0, 0.0, 1.0));

@@ -21,15 +21,13 @@
 #include <TopoDS_Iterator.hxx>
 #include <gp_Circ.hxx>
 #include <gp_Elips.hxx>
-#include <numbers>
 
+#include "base/constants.h"
 #include "tests/support/parts/kinds.h"
 #include "tests/support/parts/shaping.h"
 
 namespace octet::test {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 TopoDS_Edge spline(const std::vector<gp_Pnt>& points, bool closed) {
   const Handle(TColgp_HArray1OfPnt) array = new TColgp_HArray1OfPnt(1, static_cast<int>(points.size()));

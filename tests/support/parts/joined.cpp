@@ -7,16 +7,14 @@
 #include <TopExp_Explorer.hxx>
 #include <gp_Cylinder.hxx>
 #include <gp_Pln.hxx>
-#include <numbers>
 
+#include "base/constants.h"
 #include "geom/occt/gathered.h"
 #include "tests/support/parts/kinds.h"
 #include "tests/support/parts/shaping.h"
 
 namespace octet::test {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 /// Mostly 0; else a gap or an overlap by a share of the length.
 double misfit(Draw& draw, double length) {

@@ -3,15 +3,13 @@
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
-#include <numbers>
 
+#include "base/constants.h"
 #include "tests/support/parts/kinds.h"
 #include "tests/support/parts/shaping.h"
 
 namespace octet::test {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 /// Outlines of plates: rectangle, L, U, T, cross, regular or any polygon.
 std::vector<gp_Pnt> outline(Draw& draw, double a, double b) {

@@ -13,15 +13,13 @@
 #include <TopoDS_Edge.hxx>
 #include <gp_Circ.hxx>
 #include <gp_Pln.hxx>
-#include <numbers>
 
+#include "base/constants.h"
 #include "tests/support/parts/kinds.h"
 #include "tests/support/parts/shaping.h"
 
 namespace octet::test {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 /// A housing: a block, rod or tapered block with blends, hollowed, with bosses, ribs, snaps and cut-outs.
 TopoDS_Shape housing(Draw& draw) {

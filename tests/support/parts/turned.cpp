@@ -19,15 +19,13 @@
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Iterator.hxx>
 #include <gp_Circ.hxx>
-#include <numbers>
 
+#include "base/constants.h"
 #include "tests/support/parts/kinds.h"
 #include "tests/support/parts/shaping.h"
 
 namespace octet::test {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 /// A profile of steps, tapers and grooves from the axis or a bore outwards.
 TopoDS_Shape steps(Draw& draw, double radius, double bore) {
