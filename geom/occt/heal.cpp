@@ -21,6 +21,7 @@
 #include "geom/occt/edge_uses.h"
 #include "geom/occt/entity_names.h"
 #include "geom/occt/face_volumes.h"
+#include "geom/occt/flat_shells.h"
 #include "geom/occt/folds.h"
 #include "geom/occt/hairlines.h"
 #include "geom/occt/missing_poles.h"
@@ -225,6 +226,8 @@ class Healer {
       return std::max(options_.smallest_feature, kRoundingShare * current_diagonal());
     };
     const std::string name = smallest_name();
+    adopt(solid, drop_flat_shells(solid, smallest()), 2,
+          "are shells no thicker than the tolerance of their edges, or than " + name + ", and were taken away");
     adopt(solid, shrink_spots(solid, smallest()), 2, "are no larger than " + name + " and became vertices");
     adopt(
         solid, merge_strips(solid, smallest()), 2,

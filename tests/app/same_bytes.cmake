@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Builds the program with another compiler and compares the bytes of the meshes that both programs write: of second
-# order, whose corners are the mesh of first order.
+# order, whose corners are the mesh of first order. Each file is compiled by itself (no OCTET_UNITY), which tells
+# whether it includes what it needs.
 #   cmake -D SOURCE=<root> -D BUILD=<folder> -D COMPILER=<c++> -D PROGRAM=<octet> -P same_bytes.cmake
 if(NOT COMPILER)
   message(FATAL_ERROR "clang++ was not found when the build was configured: install clang (scripts/install-packages "
@@ -8,7 +9,7 @@ if(NOT COMPILER)
 endif()
 include(${CMAKE_CURRENT_LIST_DIR}/step.cmake)
 step(${CMAKE_COMMAND} -S ${SOURCE} -B ${BUILD} -G Ninja -D CMAKE_BUILD_TYPE=Release
-     -D CMAKE_CXX_COMPILER=${COMPILER} -D OCTET_TESTS=OFF)
+     -D CMAKE_CXX_COMPILER=${COMPILER} -D OCTET_TESTS=OFF -D OCTET_UNITY=OFF)
 step(${CMAKE_COMMAND} --build ${BUILD} --target octet)
 
 file(GLOB parts ${SOURCE}/models/*.step)
