@@ -65,13 +65,13 @@ class AttributeLoop {
   /// Finds the gaps that labels alone cannot close.
   void look() {
     band_.repair(mesh(), on_, chains_);
-    result_.gaps = find_gaps(band_, mesh(), on_, chains_, memory_);
+    result_.gaps = find_gaps(band_, mesh(), on_, chains_, memory_, limits_.scope);
     std::vector<std::uint32_t> fans;
     for (const Gap& gap : result_.gaps)
       if (gap.kind == GapKind::kEdgeFan && gap.piece != UINT32_MAX) fans.push_back(gap.piece);
     std::sort(fans.begin(), fans.end());
     if (!fans.empty() && band_.repair_beside(mesh(), on_, chains_, fans) > 0)
-      result_.gaps = find_gaps(band_, mesh(), on_, chains_, memory_);
+      result_.gaps = find_gaps(band_, mesh(), on_, chains_, memory_, limits_.scope);
     only_bare_vertices_ = std::all_of(result_.gaps.begin(), result_.gaps.end(),
                                       [](const Gap& gap) { return gap.kind == GapKind::kBareVertex; });
     bare_faces_.clear();

@@ -38,6 +38,8 @@ struct AttributeLimits {
   /// none: one cell.
   std::function<std::size_t(const Vec3&)> cell_at;
   std::size_t per_cell = std::numeric_limits<std::size_t>::max();
+  /// kAll: where a piece of an edge cannot be had, so that what is elsewhere is closed all the same.
+  GapScope scope = GapScope::kPiecesFirst;
   /// Where a point of a face goes rather than to its own place, if no point of the face is there yet; none:
   /// it stays.
   std::function<std::optional<OtherPlace>(int face, const Vec3&)> elsewhere;

@@ -222,6 +222,7 @@ class Run {
       tree = std::move(*finer);
     }
     close_below_floor(*band_);
+    close_elsewhere(*band_);
     gaps_left_ = !band_->closed.gaps.empty();
     // The first attempt is no measure: its octree vertices stand nearer to the boundary.
     in_vain_ = in_vain_ || (kept > 0 && kept < depth && limit_.empty() && !gaps_left_);
@@ -263,9 +264,19 @@ class Run {
     }
   }
 
+  /// A piece of an edge that cannot be had, at a defect of the part, is no reason to leave holes in faces
+  /// elsewhere.
+  void close_elsewhere(Attempt& attempt) {
+    const std::vector<Gap>& gaps = attempt.closed.gaps;
+    if (hopeless_ || gaps.size() > kHopelessGaps || !openness(gaps).lacks_pieces) return;
+    observer_.note(fmt::format("{} pieces of edges are left: what lies elsewhere is closed", gaps.size()));
+    close_attempt(attempt, kFloorShare, GapScope::kAll);
+  }
+
   /// The loop of attribute points, from where the attempt is.
-  void close_attempt(Attempt& attempt, double floor_share) {
+  void close_attempt(Attempt& attempt, double floor_share, GapScope scope = GapScope::kPiecesFirst) {
     AttributeLimits limits;
+    limits.scope = scope;
     limits.points = 4 * attempt.surface_points + 2000;
     limits.per_cell = kPointsPerOctant;
     limits.gaps = most_gaps(attempt);

@@ -386,8 +386,8 @@ std::vector<Gap> find_gaps(Band& band, const TetMesh& mesh, std::span<const Mode
 }
 
 std::vector<Gap> find_gaps(Band& band, const TetMesh& mesh, std::span<const ModelRef> on,
-                           const EdgeChains& chains, GapMemory& memory) {
-  return GapFinder(band, mesh, on, chains, memory).run(GapScope::kPiecesFirst);
+                           const EdgeChains& chains, GapMemory& memory, GapScope scope) {
+  return GapFinder(band, mesh, on, chains, memory).run(scope);
 }
 
 AttributePoint split_point(const Model& model, const TetMesh& mesh, std::span<const ModelRef> on,

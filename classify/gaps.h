@@ -37,7 +37,7 @@ struct Gap {
 /// What find_gaps() looks at where edges lack pieces.
 enum class GapScope {
   kPiecesFirst,  ///< only pieces are reported: the facets around a missing one mean nothing yet
-  kAll,          ///< facets, too: to tell which regions are whole
+  kAll,          ///< facets, too: to tell which regions are whole, and to close what lies elsewhere
 };
 
 /// All holes of the band, edges first. [Schroeder & Shephard 1990, "Classification and compatibility";
@@ -63,9 +63,10 @@ class GapMemory {
   std::vector<std::uint8_t> fans_;     ///< per vertex: a Fan
 };
 
-/// As find_gaps() with kPiecesFirst: the same gaps.
+/// As find_gaps() without a memory: the same gaps.
 [[nodiscard]] std::vector<Gap> find_gaps(Band& band, const TetMesh& mesh, std::span<const ModelRef> on,
-                                         const EdgeChains& chains, GapMemory& memory);
+                                         const EdgeChains& chains, GapMemory& memory,
+                                         GapScope scope = GapScope::kPiecesFirst);
 
 /// A point on the boundary that may close a hole.
 struct AttributePoint {

@@ -7,19 +7,24 @@
 #include <Precision.hxx>
 #include <ShapeAnalysis_CheckSmallFace.hxx>
 #include <ShapeBuild_ReShape.hxx>
+#include <ShapeFix_Edge.hxx>
 #include <ShapeFix_FixSmallFace.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
+#include <TopTools_ListOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
+#include <TopoDS_Iterator.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <gp_Pnt.hxx>
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "geom/occt/sub_shapes.h"
 
@@ -139,6 +144,77 @@ void fix_small_faces(double width, const Step& step, Repair& repair) {
   repair.history = context->History();
 }
 
+/// A face between two edges that have the same ends: the one that may run anywhere is replaced by the other.
+class Lens {
+ public:
+  Lens(const TopoDS_Face& face, const TopTools_IndexedDataMapOfShapeListOfShape& faces_of) : face_(face) {
+    TopExp_Explorer wire(face, TopAbs_WIRE);
+    if (!wire.More()) return;
+    std::vector<TopoDS_Edge> sides;
+    for (TopoDS_Iterator it(wire.Current()); it.More(); it.Next()) sides.push_back(TopoDS::Edge(it.Value()));
+    wire.Next();
+    if (wire.More() || sides.size() != 2 || sides[0].IsSame(sides[1])) return;
+    for (const TopoDS_Edge& side : sides)
+      if (BRep_Tool::Degenerated(side) || faces_of.FindFromKey(side).Extent() != 2) return;
+    const auto start = [](const TopoDS_Edge& side) { return TopExp::FirstVertex(side, true); };
+    const auto end = [](const TopoDS_Edge& side) { return TopExp::LastVertex(side, true); };
+    if (!start(sides[0]).IsSame(end(sides[1])) || !end(sides[0]).IsSame(start(sides[1]))) return;
+    const bool first = BRep_Tool::Tolerance(sides[0]) > BRep_Tool::Tolerance(sides[1]);
+    if (BRep_Tool::Tolerance(sides[first ? 0 : 1]) < kVaguer * BRep_Tool::Tolerance(sides[first ? 1 : 0])) return;
+    vague_ = sides[first ? 0 : 1];
+    clear_ = TopoDS::Edge(sides[first ? 1 : 0].Reversed());  // both from the same vertex now
+    const TopTools_ListOfShape& users = faces_of.FindFromKey(vague_);
+    beyond_ = TopoDS::Face(users.First().IsSame(face) ? users.Last() : users.First());
+    is_one_ = !beyond_.IsSame(face) && !faces_of.FindFromKey(clear_).Contains(beyond_);
+  }
+
+  [[nodiscard]] bool is_one() const { return is_one_; }
+  [[nodiscard]] const TopoDS_Face& face() const { return face_; }
+  [[nodiscard]] const TopoDS_Face& beyond() const { return beyond_; }
+
+  void close(ShapeBuild_ReShape& changes) const {
+    // As edges of the context are replaced: what takes the place of the one that runs forward.
+    changes.Replace(vague_.Oriented(TopAbs_FORWARD),
+                    vague_.Orientation() == TopAbs_FORWARD ? TopoDS_Shape(clear_) : clear_.Reversed());
+    changes.Remove(face_);
+  }
+  /// The curve on the face beyond, once that has the edge.
+  void draw(const TopoDS_Face& beyond) const {
+    ShapeFix_Edge fix;
+    fix.FixAddPCurve(clear_, beyond, false, Precision::Confusion());
+    fix.FixSameParameter(clear_);
+  }
+
+ private:
+  static constexpr double kVaguer = 10.0;
+
+  TopoDS_Face face_, beyond_;
+  TopoDS_Edge vague_, clear_;
+  bool is_one_ = false;
+};
+
+/// Closes those of the faces that are lenses, and takes them from `faces`; the others are left to OCCT.
+void close_lenses(std::vector<TopoDS_Shape>& faces, Repair& repair) {
+  TopTools_IndexedDataMapOfShapeListOfShape faces_of;
+  TopExp::MapShapesAndAncestors(repair.solid, TopAbs_EDGE, TopAbs_FACE, faces_of);
+  std::vector<Lens> lenses;
+  TopTools_IndexedMapOfShape touched;  // a face that one lens changes is no other's
+  std::erase_if(faces, [&](const TopoDS_Shape& face) {
+    Lens lens(TopoDS::Face(face), faces_of);
+    if (!lens.is_one() || touched.Contains(face) || touched.Contains(lens.beyond())) return false;
+    touched.Add(face);
+    touched.Add(lens.beyond());
+    lenses.push_back(std::move(lens));
+    return true;
+  });
+  if (lenses.empty()) return;
+  const Handle(ShapeBuild_ReShape) changes = new ShapeBuild_ReShape;
+  for (const Lens& lens : lenses) lens.close(*changes);
+  repair.solid = changes->Apply(repair.solid);
+  for (const Lens& lens : lenses) lens.draw(TopoDS::Face(changes->Apply(lens.beyond())));
+  repair.history = changes->History();
+}
+
 bool is_spot(const TopoDS_Face& face, double width) {
   try {
     return ShapeAnalysis_CheckSmallFace().CheckSpotFace(face, width);
@@ -165,9 +241,14 @@ Repair merge_strips(const TopoDS_Shape& solid, double least) {
   // OCCT merges whatever is as narrow: a face that is exact must not go with those that are vague.
   const auto goes_too = [&](const TopoDS_Face& face) { return !sides_within(face, width)[0].IsNull(); };
   if (std::any_of(others.begin(), others.end(), goes_too)) result.entities.clear();
-  if (result.entities.empty()) return result;
+  std::vector<TopoDS_Shape> left = result.entities;
+  close_lenses(left, result);
+  if (left.empty()) return result;
+  const Handle(BRepTools_History) lenses = result.history;
   fix_small_faces(
       width, [](ShapeFix_FixSmallFace& fix) { return fix.FixStripFace(); }, result);
+  lenses->Merge(result.history);
+  result.history = lenses;
   return result;
 }
 
