@@ -226,8 +226,9 @@ class Healer {
       return std::max(options_.smallest_feature, kRoundingShare * current_diagonal());
     };
     const std::string name = smallest_name();
-    adopt(solid, drop_flat_shells(solid, smallest()), 2,
-          "are shells no thicker than the tolerance of their edges, or than " + name + ", and were taken away");
+    adopt(
+        solid, drop_flat_shells(solid, smallest()), 2,
+        "are shells no thicker than the tolerance of their edges, or than " + name + ", and were taken away");
     adopt(solid, shrink_spots(solid, smallest()), 2, "are no larger than " + name + " and became vertices");
     adopt(
         solid, merge_strips(solid, smallest()), 2,

@@ -160,7 +160,8 @@ class Lens {
     const auto end = [](const TopoDS_Edge& side) { return TopExp::LastVertex(side, true); };
     if (!start(sides[0]).IsSame(end(sides[1])) || !end(sides[0]).IsSame(start(sides[1]))) return;
     const bool first = BRep_Tool::Tolerance(sides[0]) > BRep_Tool::Tolerance(sides[1]);
-    if (BRep_Tool::Tolerance(sides[first ? 0 : 1]) < kVaguer * BRep_Tool::Tolerance(sides[first ? 1 : 0])) return;
+    if (BRep_Tool::Tolerance(sides[first ? 0 : 1]) < kVaguer * BRep_Tool::Tolerance(sides[first ? 1 : 0]))
+      return;
     vague_ = sides[first ? 0 : 1];
     clear_ = TopoDS::Edge(sides[first ? 1 : 0].Reversed());  // both from the same vertex now
     const TopTools_ListOfShape& users = faces_of.FindFromKey(vague_);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The loop between classification and triangulation: holes are found where they are, and closed.
 #include "app/attribute_points.h"
+#include "app/attempt.h"
 
 #include <gtest/gtest.h>
 
@@ -224,6 +225,37 @@ TEST(AttributePoints, AMissingEdgePieceIsFoundAndSplit) {
   EXPECT_EQ(static_cast<std::size_t>(pieces), gaps.size());
   EXPECT_GT(all.size(), gaps.size()) << "facets, too";
   EXPECT_TRUE(bench.close(500).gaps.empty());
+}
+
+TEST(AttributePoints, WhatLiesElsewhereIsClosedWhereAPieceCannotBeHad) {
+  const Model model = analytic_box_minus_ball(2.0, 0.6);
+  const Vec3 centre = model.box().centre();
+  const auto at_hollow = [&](const Vec3& p) { return (p - centre).norm() < 0.7; };
+  for (const GapScope scope : {GapScope::kPiecesFirst, GapScope::kAll}) {
+    Bench bench(model, 0.3);
+    for (std::size_t n = 0; n < 4; ++n) {
+      const EdgePiece& piece = bench.pieces()[n];
+      const Vec3 middle = model.edge_point(piece.edge, 0.5 * (piece.ta + piece.tb));
+      const Vec3 inwards = 0.02 * (centre - middle);
+      bench.add(middle + inwards, model_region(1));
+      bench.add(middle - inwards, model_region(0));
+    }
+    bench.triangulate(
+        [&](const Vec3& p, ModelRef on) { return on.dim == 3 || !at_hollow(p) || p.z() < centre.z(); });
+    // One point for all of the pieces, as many as it takes for the hollow.
+    std::size_t cells = 0;
+    AttributeLimits limits;
+    limits.points = 2000;
+    limits.scope = scope;
+    limits.per_cell = 1;
+    limits.cell_at = [&](const Vec3& p) { return at_hollow(p) ? ++cells : 0; };
+    const AttributeResult result = bench.close(limits);
+    EXPECT_TRUE(openness(result.gaps).lacks_pieces);
+    const std::vector<Gap> all = bench.gaps(GapScope::kAll);
+    const bool open =
+        std::any_of(all.begin(), all.end(), [&](const Gap& gap) { return at_hollow(gap.place); });
+    EXPECT_EQ(open, scope == GapScope::kPiecesFirst);
+  }
 }
 
 /// Points at random about a cylinder, some where they say they are and some not, and splits of edge pieces,

@@ -130,6 +130,19 @@ TEST(Heal, AFaceNoWiderThanRoundingLeavesBecomesAnEdge) {
   expect_the_strip(model_from_shape(box_with_a_strip(3e-5, 1e-7)));
 }
 
+TEST(Heal, OfTheSidesOfALensTheOneThatMayRunAnywhereGoes) {
+  const auto length_of_edges = [](const Model& model) {
+    double length = 0.0;
+    for (int e = 1; e <= model.count(1); ++e) length += model.edge(e).length;
+    return length;
+  };
+  // The arc is longer by 4e-3 of 1.
+  const Model model = model_from_shape(box_with_a_strip(0.04, 0.05));
+  expect_no_strip(model);
+  EXPECT_NEAR(length_of_edges(model), 4.0 * (1.0 + 2.0 + 3.0), 1e-9);
+  EXPECT_NEAR(model.region(1).volume, 6.0, 1e-9);
+}
+
 TEST(Heal, SaysNothingOfAHealthyPart) {
   EXPECT_TRUE(model_from_shape(BRepPrimAPI_MakeBox(1.0, 2.0, 3.0).Shape()).notes().empty());
   EXPECT_TRUE(model_from_shape(BRepPrimAPI_MakeCylinder(1.0, 2.0).Shape()).notes().empty());
@@ -301,6 +314,23 @@ TEST(Heal, AVoidApartFromTheOutsideIsLeftAlone) {
   const Model model = model_from_shape(stepped_block_with_void(0.5, 0.05));
   EXPECT_EQ(note_with(model, "voids of"), "");
   EXPECT_EQ(model.count(1), 18 + 12);
+}
+
+/// A cube with a void in it that is a plate of the given thickness, one edge of which has the tolerance.
+TopoDS_Shape cube_with_a_leaf(double thickness, double tolerance) {
+  const TopoDS_Shape leaf = BRepPrimAPI_MakeBox(gp_Pnt(1, 1, 1), 2.0, 2.0, thickness).Shape();
+  BRep_Builder().UpdateEdge(TopoDS::Edge(TopExp_Explorer(leaf, TopAbs_EDGE).Current()), tolerance);
+  return with_void(BRepPrimAPI_MakeBox(4.0, 4.0, 4.0).Shape(), leaf);
+}
+
+TEST(Heal, AVoidOfNoThicknessIsTakenAway) {
+  for (const auto& [thickness, tolerance] : {std::pair{1e-6, 1e-7}, std::pair{1e-4, 1e-3}}) {
+    const Model model = model_from_shape(cube_with_a_leaf(thickness, tolerance));
+    EXPECT_NE(note_with(model, "6 face(s) of Solid 1 are shells no thicker than"), "");
+    EXPECT_EQ(model.count(2), 6);
+    EXPECT_EQ(check_model(model), "");
+  }
+  EXPECT_EQ(model_from_shape(cube_with_a_leaf(1e-4, 1e-7)).count(2), 12);
 }
 
 TEST(Heal, ShellsOfWhichNoneIsOutsideAreNoVoids) {
