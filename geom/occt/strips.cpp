@@ -170,7 +170,6 @@ class Lens {
   }
 
   [[nodiscard]] bool is_one() const { return is_one_; }
-  [[nodiscard]] const TopoDS_Face& face() const { return face_; }
   [[nodiscard]] const TopoDS_Face& beyond() const { return beyond_; }
 
   void close(ShapeBuild_ReShape& changes) const {
