@@ -8,6 +8,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/constants.h"
+
 namespace octet {
 
 void measure_mesh(const Mesh& mesh, const Model& model, MeshReport& report) {
@@ -60,9 +62,8 @@ std::vector<Vec3> places_at_fault(const Acceptance& acceptance, const OwnFrame& 
 }
 
 std::string describe(const FinalizeReport& report) {
-  constexpr double kDegree = 180.0 / M_PI;
   return fmt::format("finalization: smallest dihedral {:.2f} -> {:.2f} degrees, {} below target",
-                     report.min_dihedral_before * kDegree, report.min_dihedral_after * kDegree,
+                     report.min_dihedral_before * kInDegrees, report.min_dihedral_after * kInDegrees,
                      report.below_target);
 }
 

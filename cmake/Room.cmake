@@ -26,11 +26,11 @@ function(parse_once target first)
   endif()
 endfunction()
 
-# compile_together(t): eight files of t are one for the compiler (OCTET_UNITY). Names of helpers are then unique in a room, and
-# no helper is called as a function of a header is.
+# compile_together(t): eight files of t are one for the compiler (OCTET_UNITY). So a helper's name is its own in the
+# room, and not that of a function in a header.
 function(compile_together target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${OCTET_UNITY} UNITY_BUILD_BATCH_SIZE 8)
-  # A class of a file with members of types that the file alone knows.
+  # gcc warns of classes whose members are of types of one file, but in the file that is compiled.
   target_compile_options(${target} PRIVATE $<$<AND:$<BOOL:${OCTET_UNITY}>,$<CXX_COMPILER_ID:GNU>>:-Wno-subobject-linkage>)
 endfunction()
 
@@ -58,7 +58,7 @@ function(room_test)
   cmake_parse_arguments(TEST "" "NAME" "SOURCES;DEPENDS;PARSED_ONCE" ${ARGN})
   add_executable(tests_${TEST_NAME} ${TEST_SOURCES})
   target_include_directories(tests_${TEST_NAME} PRIVATE ${PROJECT_SOURCE_DIR})
-  # What tests make of it is seldom what takes their time; two thirds of the compiler's.
+  # -O1: two thirds of the compiler's time; what takes the tests' own is mostly in the rooms.
   target_compile_options(tests_${TEST_NAME} PRIVATE -Wall -Wextra -ffp-contract=off $<$<CONFIG:Release>:-O1>)
   target_link_libraries(tests_${TEST_NAME} PRIVATE ${TEST_DEPENDS} GTest::gtest GTest::gtest_main)
   target_compile_definitions(tests_${TEST_NAME} PRIVATE ${OCTET_DEFINITIONS})

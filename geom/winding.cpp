@@ -16,9 +16,9 @@ namespace {
 
 /// Directions all over the sphere, none near an axis or a diagonal.
 Vec3 direction(int i, int count) {
-  constexpr double kTurn = std::numbers::pi * (3.0 - std::numbers::phi), kStart = 0.7310585786;
+  constexpr double kGoldenTurn = std::numbers::pi * (3.0 - std::numbers::phi), kStart = 0.7310585786;
   const double z = 1.0 - 2.0 * (i + 0.5) / count, across = std::sqrt(1.0 - z * z);
-  const double angle = kStart + kTurn * i;
+  const double angle = kStart + kGoldenTurn * i;
   return {across * std::cos(angle), across * std::sin(angle), z};
 }
 

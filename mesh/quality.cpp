@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/blocks.h"
+#include "base/constants.h"
 #include "base/lane_vec.h"
 
 namespace octet {
@@ -181,7 +182,6 @@ OCTET_LANEWISE void gather(const Mesh& mesh, const std::array<Mesh::Index, 4>* c
 /// Infinite as DihedralCotangents are.
 OCTET_LANEWISE void find_cotangents(const LaneVec3 (&p)[4], const Lanes& volumes, Lanes& smallest,
                                     Lanes& largest) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Lanes lowest, highest;
   octet::find_cotangents(p[0], p[1], p[2], p[3], volumes, lowest, highest);
   smallest = volumes > 0.0 ? highest : Lanes{} + kInfinity;

@@ -28,20 +28,20 @@ namespace octet {
 namespace {
 
 /// A side of a face that is no seam, as it runs in (u,v).
-struct LoopChord {
+struct TrimmedSide {
   TopoDS_Edge edge;
   Handle(Geom2d_TrimmedCurve) curve;
   Bnd_Box2d box;
 };
 
-std::vector<LoopChord> sides_of(const TopoDS_Face& face) {
-  std::vector<LoopChord> sides;
+std::vector<TrimmedSide> sides_of(const TopoDS_Face& face) {
+  std::vector<TrimmedSide> sides;
   for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
     const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
     double first = 0.0, last = 0.0;
     const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, face, first, last);
     if (curve.IsNull() || BRep_Tool::Degenerated(edge) || BRep_Tool::IsClosed(edge, face)) continue;
-    LoopChord side{edge, new Geom2d_TrimmedCurve(curve, first, last), {}};
+    TrimmedSide side{edge, new Geom2d_TrimmedCurve(curve, first, last), {}};
     BndLib_Add2dCurve::Add(side.curve, 0.0, side.box);
     sides.push_back(side);
   }
@@ -66,7 +66,7 @@ class LoopSearch {
     const TopTools_IndexedMapOfShape faces = sub_shapes(solid, TopAbs_FACE);
     for (int i = 1; i <= faces.Extent(); ++i) {
       const TopoDS_Face face = TopoDS::Face(faces(i).Oriented(TopAbs_FORWARD));
-      const std::vector<LoopChord> sides = sides_of(face);
+      const std::vector<TrimmedSide> sides = sides_of(face);
       for (std::size_t a = 0; a < sides.size(); ++a)
         for (std::size_t b = a + 1; b < sides.size(); ++b)
           if (!sides[a].box.IsOut(sides[b].box)) look_at(face, sides[a], sides[b]);
@@ -78,7 +78,7 @@ class LoopSearch {
   [[nodiscard]] const TopTools_IndexedMapOfShape& vertices() const { return vertices_; }
 
  private:
-  void look_at(const TopoDS_Face& face, const LoopChord& a, const LoopChord& b) {
+  void look_at(const TopoDS_Face& face, const TrimmedSide& a, const TrimmedSide& b) {
     const Geom2dAPI_InterCurveCurve crossings(a.curve, b.curve, Precision::PConfusion());
     for (int i = 1; i <= crossings.NbPoints(); ++i) {
       const IntRes2d_IntersectionPoint& point = crossings.Intersector().Point(i);

@@ -32,33 +32,27 @@ bool is_flat(const TopoDS_Shape& shell, double thickness) {
 }  // namespace
 
 Repair drop_flat_shells(const TopoDS_Shape& solid, double thickness) {
-  std::vector<TopoDS_Shape> flat;
+  Repair result = no_repair(solid);
+  const TopTools_IndexedMapOfShape shells = sub_shapes(solid, TopAbs_SHELL);
+  if (shells.Extent() < 2) return result;
+  TopTools_IndexedMapOfShape flat;
+  for (int i = 1; i <= shells.Extent(); ++i)
+    if (BRep_Tool::IsClosed(shells(i)) && is_flat(shells(i), thickness)) flat.Add(shells(i));
+  if (flat.IsEmpty() || flat.Extent() == shells.Extent()) return result;
   TopoDS_Solid made;
   const BRep_Builder builder;
   builder.MakeSolid(made);
-  bool any = false;
-  if (sub_shapes(solid, TopAbs_SHELL).Extent() > 1)
-    for (TopoDS_Iterator it(solid); it.More(); it.Next()) {
-      const TopoDS_Shape& part = it.Value();
-      if (part.ShapeType() == TopAbs_SHELL && BRep_Tool::IsClosed(part) && is_flat(part, thickness)) {
-        flat.push_back(part);
-      } else {
-        builder.Add(made, part);
-        any = any || part.ShapeType() == TopAbs_SHELL;
-      }
-    }
-  Repair result = no_repair(solid);
-  if (flat.empty() || !any) return result;
-  for (const TopoDS_Shape& shell : flat)
-    for (const TopAbs_ShapeEnum type : {TopAbs_FACE, TopAbs_EDGE, TopAbs_VERTEX}) {
-      const TopTools_IndexedMapOfShape kept = sub_shapes(made, type), gone = sub_shapes(shell, type);
-      for (int i = 1; i <= gone.Extent(); ++i) {
-        if (kept.Contains(gone(i))) continue;
-        result.history->Remove(gone(i));
-        if (type == TopAbs_FACE) result.entities.push_back(gone(i));
-      }
-    }
+  for (TopoDS_Iterator it(solid); it.More(); it.Next())
+    if (!flat.Contains(it.Value())) builder.Add(made, it.Value());
   result.solid = made;
+  for (const TopAbs_ShapeEnum type : {TopAbs_FACE, TopAbs_EDGE, TopAbs_VERTEX}) {
+    const TopTools_IndexedMapOfShape all = sub_shapes(solid, type), kept = sub_shapes(made, type);
+    for (int i = 1; i <= all.Extent(); ++i) {
+      if (kept.Contains(all(i))) continue;
+      result.history->Remove(all(i));
+      if (type == TopAbs_FACE) result.entities.push_back(all(i));
+    }
+  }
   return result;
 }
 

@@ -9,7 +9,6 @@
 #include <Geom2d_Curve.hxx>
 #include <Precision.hxx>
 #include <ShapeBuild_ReShape.hxx>
-#include <ShapeFix_Edge.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
@@ -30,6 +29,7 @@
 #include <set>
 #include <vector>
 
+#include "geom/occt/added_curve.h"
 #include "geom/occt/edge_distance.h"
 #include "geom/occt/face_parts.h"
 #include "geom/occt/gathered.h"
@@ -266,17 +266,11 @@ class Closer {
     touched_.Add(kept);
     touched_.Add(gone);
     BRep_Builder().UpdateEdge(kept, edge_distance(gone, kept, std::numeric_limits<double>::infinity()));
+    // The face beyond the edge that goes is bounded by the other one now.
     for (const TopoDS_Shape& face : faces_of_.FindFromKey(gone)) add_curve(kept, TopoDS::Face(face));
     // In the loop the two run against each other.
     changes_->Replace(gone, kept.Reversed());
     gone_.push_back(gone);
-  }
-
-  /// The face beyond the edge that goes is bounded by the other one now.
-  static void add_curve(const TopoDS_Edge& edge, const TopoDS_Face& face) {
-    double first = 0.0, last = 0.0;
-    if (BRep_Tool::CurveOnSurface(edge, face, first, last).IsNull())
-      ShapeFix_Edge().FixAddPCurve(edge, face, false, Precision::Confusion());
   }
 
   const TopoDS_Shape& solid_;

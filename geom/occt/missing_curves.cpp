@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "geom/occt/added_curve.h"
 #include "geom/occt/loose_curves.h"
 #include "geom/occt/misplaced_curves.h"
 #include "geom/occt/shape_box.h"
@@ -47,10 +48,7 @@ void MissingCurves::add_in_space(const TopoDS_Edge& edge) {
 }
 
 void MissingCurves::add_on_face(const TopoDS_Edge& edge, const TopoDS_Face& face) {
-  double first = 0.0, last = 0.0;
-  if (!BRep_Tool::CurveOnSurface(edge, face, first, last).IsNull()) return;
-  ShapeFix_Edge fix;
-  if (!fix.FixAddPCurve(edge, face, false, Precision::Confusion())) return;
+  if (!add_curve(edge, face)) return;
   fit_curve(edge, face);
   if (on_face_++ == 0)
     first_on_face_ = names_.numbered("Edge", 1, edge) + " on " + names_.numbered("Face", 2, face);

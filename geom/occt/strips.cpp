@@ -3,11 +3,11 @@
 #include "geom/occt/strips.h"
 
 #include <BRepAdaptor_Curve.hxx>
+#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Precision.hxx>
 #include <ShapeAnalysis_CheckSmallFace.hxx>
 #include <ShapeBuild_ReShape.hxx>
-#include <ShapeFix_Edge.hxx>
 #include <ShapeFix_FixSmallFace.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
@@ -15,17 +15,20 @@
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopTools_ListOfShape.hxx>
+#include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
-#include <TopoDS_Iterator.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <gp_Pnt.hxx>
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <utility>
 
+#include "geom/occt/added_curve.h"
+#include "geom/occt/curve_gaps.h"
 #include "geom/occt/sub_shapes.h"
 
 namespace octet {
@@ -144,74 +147,55 @@ void fix_small_faces(double width, const Step& step, Repair& repair) {
   repair.history = context->History();
 }
 
-/// A face between two edges that have the same ends: the one that may run anywhere is replaced by the other.
-class Lens {
- public:
-  Lens(const TopoDS_Face& face, const TopTools_IndexedDataMapOfShapeListOfShape& faces_of) : face_(face) {
-    TopExp_Explorer wire(face, TopAbs_WIRE);
-    if (!wire.More()) return;
-    std::vector<TopoDS_Edge> sides;
-    for (TopoDS_Iterator it(wire.Current()); it.More(); it.Next()) sides.push_back(TopoDS::Edge(it.Value()));
-    wire.Next();
-    if (wire.More() || sides.size() != 2 || sides[0].IsSame(sides[1])) return;
-    for (const TopoDS_Edge& side : sides)
-      if (BRep_Tool::Degenerated(side) || faces_of.FindFromKey(side).Extent() != 2) return;
-    const auto start = [](const TopoDS_Edge& side) { return TopExp::FirstVertex(side, true); };
-    const auto end = [](const TopoDS_Edge& side) { return TopExp::LastVertex(side, true); };
-    if (!start(sides[0]).IsSame(end(sides[1])) || !end(sides[0]).IsSame(start(sides[1]))) return;
-    const bool first = BRep_Tool::Tolerance(sides[0]) > BRep_Tool::Tolerance(sides[1]);
-    if (BRep_Tool::Tolerance(sides[first ? 0 : 1]) < kVaguer * BRep_Tool::Tolerance(sides[first ? 1 : 0]))
-      return;
-    vague_ = sides[first ? 0 : 1];
-    clear_ = TopoDS::Edge(sides[first ? 1 : 0].Reversed());  // both from the same vertex now
-    const TopTools_ListOfShape& users = faces_of.FindFromKey(vague_);
-    beyond_ = TopoDS::Face(users.First().IsSame(face) ? users.Last() : users.First());
-    is_one_ = !beyond_.IsSame(face) && !faces_of.FindFromKey(clear_).Contains(beyond_);
-  }
-
-  [[nodiscard]] bool is_one() const { return is_one_; }
-  [[nodiscard]] const TopoDS_Face& beyond() const { return beyond_; }
-
-  void close(ShapeBuild_ReShape& changes) const {
-    // As edges of the context are replaced: what takes the place of the one that runs forward.
-    changes.Replace(vague_.Oriented(TopAbs_FORWARD),
-                    vague_.Orientation() == TopAbs_FORWARD ? TopoDS_Shape(clear_) : clear_.Reversed());
-    changes.Remove(face_);
-  }
-  /// The curve on the face beyond, once that has the edge.
-  void draw(const TopoDS_Face& beyond) const {
-    ShapeFix_Edge fix;
-    fix.FixAddPCurve(clear_, beyond, false, Precision::Confusion());
-    fix.FixSameParameter(clear_);
-  }
-
- private:
-  static constexpr double kVaguer = 10.0;
-
-  TopoDS_Face face_, beyond_;
-  TopoDS_Edge vague_, clear_;
-  bool is_one_ = false;
+/// The sides of a face between two edges that have the same ends.
+struct Lens {
+  TopoDS_Edge vague, clear;
+  TopoDS_Face beyond;  ///< at the vague side
 };
 
-/// Closes those of the faces that are lenses, and takes them from `faces`; the others are left to OCCT.
+/// None where neither side is much vaguer than the other, or where they are more than sides of this face and
+/// of one other each.
+std::optional<Lens> lens_of(const TopoDS_Face& face,
+                            const TopTools_IndexedDataMapOfShapeListOfShape& faces_of) {
+  constexpr double kVaguer = 10.0;
+  std::vector<TopoDS_Edge> sides;
+  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next())
+    sides.push_back(TopoDS::Edge(it.Current()));
+  if (sides.size() != 2) return std::nullopt;
+  for (const TopoDS_Edge& side : sides)
+    if (BRep_Tool::Degenerated(side) || faces_of.FindFromKey(side).Extent() != 2) return std::nullopt;
+  if (BRep_Tool::Tolerance(sides[0]) < BRep_Tool::Tolerance(sides[1])) std::swap(sides[0], sides[1]);
+  const TopoDS_Edge &vague = sides[0], &clear = sides[1];
+  if (BRep_Tool::Tolerance(vague) < kVaguer * BRep_Tool::Tolerance(clear) ||
+      !TopExp::FirstVertex(vague, true).IsSame(TopExp::LastVertex(clear, true)) ||
+      !TopExp::LastVertex(vague, true).IsSame(TopExp::FirstVertex(clear, true)))
+    return std::nullopt;
+  const TopTools_ListOfShape& users = faces_of.FindFromKey(vague);
+  const TopoDS_Face& beyond = TopoDS::Face(users.First().IsSame(face) ? users.Last() : users.First());
+  if (beyond.IsSame(face) || faces_of.FindFromKey(clear).Contains(beyond)) return std::nullopt;
+  return Lens{vague, clear, beyond};
+}
+
+/// The vague side of a lens may run anywhere: the other takes its place. Takes these faces from `faces`; the
+/// others are left to OCCT, which may keep either side.
 void close_lenses(std::vector<TopoDS_Shape>& faces, Repair& repair) {
   TopTools_IndexedDataMapOfShapeListOfShape faces_of;
   TopExp::MapShapesAndAncestors(repair.solid, TopAbs_EDGE, TopAbs_FACE, faces_of);
-  std::vector<Lens> lenses;
-  TopTools_IndexedMapOfShape touched;  // a face that one lens changes is no other's
-  std::erase_if(faces, [&](const TopoDS_Shape& face) {
-    Lens lens(TopoDS::Face(face), faces_of);
-    if (!lens.is_one() || touched.Contains(face) || touched.Contains(lens.beyond())) return false;
-    touched.Add(face);
-    touched.Add(lens.beyond());
-    lenses.push_back(std::move(lens));
+  const Handle(ShapeBuild_ReShape) changes = new ShapeBuild_ReShape;
+  TopTools_MapOfShape touched;
+  const std::size_t closed = std::erase_if(faces, [&](const TopoDS_Shape& face) {
+    const std::optional<Lens> lens = lens_of(TopoDS::Face(face), faces_of);
+    if (!lens || touched.Contains(lens->vague) || touched.Contains(lens->clear)) return false;
+    touched.Add(lens->vague);
+    touched.Add(lens->clear);
+    add_curve(lens->clear, lens->beyond);
+    BRep_Builder().UpdateEdge(lens->clear, curve_gap(lens->clear, lens->beyond));
+    changes->Replace(lens->vague, lens->clear.Reversed());  // in the loop the two run against each other
+    changes->Remove(face);
     return true;
   });
-  if (lenses.empty()) return;
-  const Handle(ShapeBuild_ReShape) changes = new ShapeBuild_ReShape;
-  for (const Lens& lens : lenses) lens.close(*changes);
+  if (closed == 0) return;
   repair.solid = changes->Apply(repair.solid);
-  for (const Lens& lens : lenses) lens.draw(TopoDS::Face(changes->Apply(lens.beyond())));
   repair.history = changes->History();
 }
 

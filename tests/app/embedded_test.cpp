@@ -19,6 +19,7 @@
 
 #include "app/exit_code.h"
 #include "app/mesh_part.h"
+#include "base/constants.h"
 #include "geom/model_check.h"
 #include "geom/occt/from_shape.h"
 #include "tests/app/program.h"
@@ -88,7 +89,6 @@ void expect_sheets(const Model& model, std::size_t count, double size, double ar
   const MeshResult result = mesh_part(model, options);
   EXPECT_EQ(result.report.status, MeshStatus::kComplete);
   EXPECT_TRUE(result.report.faults.empty());
-  constexpr double kDegree = 3.14159265358979 / 180.0;
   EXPECT_GT(result.report.quality.min_dihedral, 20.0 * kDegree);
   for (const int f : faces) expect_sheet(result, model, f, area_error);
 }

@@ -25,6 +25,7 @@
 #include <TopoDS_Wire.hxx>
 #include <gp_Vec2d.hxx>
 
+#include "base/constants.h"
 #include "geom/model_check.h"
 #include "geom/occt/from_shape.h"
 #include "geom/occt/sub_shapes.h"
@@ -105,7 +106,7 @@ bool add_a_false_pole(const TopoDS_Shape& shape) {
   return false;
 }
 
-constexpr double kTurn = 2.0 * M_PI, kLow = 2.0, kHigh = 1.0, kHeight = 3.0;
+constexpr double kLow = 2.0, kHigh = 1.0, kHeight = 3.0;
 
 Handle(Geom2d_Curve) shifted(const Handle(Geom2d_Curve) & curve) {
   return Handle(Geom2d_Curve)::DownCast(curve->Translated(gp_Vec2d(-kTurn, 0.0)));
