@@ -26,12 +26,22 @@
 namespace octet {
 namespace {
 
+/// A text of the file on one line. Writers end a line within a long text where it is full, and OCCT's reader
+/// leaves out the second of the two characters that some end it with: what is left of it is no part of the
+/// text. Other characters that print nothing count as spaces.
+std::string on_one_line(std::string text) {
+  std::erase(text, '\r');
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
+  return text;
+}
+
 std::string utf8(const TCollection_ExtendedString& wide) {
   std::string text(static_cast<std::size_t>(wide.LengthOfCString()) + 1, '\0');
   Standard_PCharacter start = text.data();
   wide.ToUTF8CString(start);
   text.resize(text.find('\0'));
-  return text;
+  return on_one_line(std::move(text));
 }
 
 std::string label_name(const TDF_Label& label) {
@@ -72,7 +82,7 @@ void add_material(const TDF_Label& label, Marks& marks) {
   if (!label.FindAttribute(XCAFDoc::MaterialRefGUID(), node) || !node->HasFather()) return;
   Handle(XCAFDoc_Material) material;
   if (!node->Father()->FindAttribute(XCAFDoc_Material::GetID(), material)) return;
-  if (!material->GetName().IsNull()) marks.material = material->GetName()->ToCString();
+  if (!material->GetName().IsNull()) marks.material = on_one_line(material->GetName()->ToCString());
   marks.density = material->GetDensity();
 }
 

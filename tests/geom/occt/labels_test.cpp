@@ -10,8 +10,10 @@
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
 #include <algorithm>
+#include <fstream>
 #include <gp_Trsf.hxx>
 #include <set>
+#include <sstream>
 
 #include "base/error.h"
 #include "geom/size_attributes.h"
@@ -42,6 +44,19 @@ TEST(Labels, NameColourAndMaterialStayWithTheirSolids) {
   EXPECT_EQ(block.colour, "#00ff00");
   EXPECT_EQ(block.material, "aluminium");
   EXPECT_NEAR(block.density, 2.7, 1e-9);
+}
+
+TEST(Labels, ANameThatFillsLinesOfItsFileIsOneLine) {
+  std::string step = (std::ostringstream() << std::ifstream(sample_path("fixture")).rdbuf()).str();
+  const std::string name = "'plate','plate'", broken = "'a name of two\r\nlines','a name of two\r\nlines'";
+  const std::size_t at = step.find(name);
+  ASSERT_NE(at, std::string::npos);
+  step.replace(at, name.size(), broken);
+  const auto path = std::filesystem::temp_directory_path() / "octet_Labels.step";
+  std::ofstream(path, std::ios::binary) << step;
+  const Model model = read_part(path);
+  std::filesystem::remove(path);
+  EXPECT_EQ(model.region(region_of_volume(model, kPlate)).name, "a name of twolines");
 }
 
 TEST(Labels, SizesFindRegionsByPartsUsesAndAssemblies) {
