@@ -72,7 +72,9 @@ MeshResult mesh_part(const Model& model, const MeshOptions& options, Observer& o
       return mesh_apart(model, with, observer);
     };
     const auto mesh_all = [&](const MeshOptions& with) {
-      return mesh(with, std::numeric_limits<double>::infinity());
+      MeshResult made = mesh(with, std::numeric_limits<double>::infinity());
+      observer.note(fmt::format("size {:.6g} gives {} tetrahedra", with.size, made.report.tets));
+      return made;
     };
     result = options.target_elements > 0.0 ? mesh_to_target(frame.model(), frame.options(), mesh_all, &memo)
                                            : mesh_by_default(frame.model(), frame.options(), mesh, &memo);

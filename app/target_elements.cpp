@@ -27,6 +27,11 @@ constexpr int kMostMeshes = 10;
 /// By what the logarithm of an estimate may miss what is wanted.
 constexpr double kNearEstimate = 0.02;
 
+/// By what powers of the size counts fall: nearly not where features decide, with the third in the interior.
+constexpr double kLeastPower = 0.4, kMostPower = 3.0;
+/// The longest step beyond all sizes tried, a logarithm.
+const double kLongestStep = std::log(2.0);
+
 /// A mesh that came out larger than a default mesh may be is tried again for so much of that.
 constexpr double kSafeShare = 0.8;
 
@@ -45,6 +50,20 @@ std::optional<double> crossing(const std::vector<std::pair<double, double>>& tri
     }
   }
   return found;
+}
+
+/// How far at least to go where all tries are on one side of the target: from the one that is nearest to it,
+/// with the power of the size that it and the next one show. Estimates know nothing of what features ask for.
+double beyond(const std::vector<std::pair<double, double>>& tried) {
+  std::vector<std::pair<double, double>> near(tried);
+  std::sort(near.begin(), near.end(), [](const auto& a, const auto& b) {
+    return std::abs(a.second) != std::abs(b.second) ? std::abs(a.second) < std::abs(b.second) : a < b;
+  });
+  const auto [x, off] = near.front();
+  double power = kMostPower;
+  if (near.size() > 1 && near[1].first != x)
+    power = std::clamp((near[1].second - off) / (x - near[1].first), kLeastPower, kMostPower);
+  return x + std::clamp(off / power, -kLongestStep, kLongestStep);
 }
 
 struct Made {
@@ -101,7 +120,11 @@ MeshResult mesh_to_target(const Model& model, const MeshOptions& options,
   const auto planned = [&](double log_scale) { return plan_sizes(model, sizes(log_scale), memo); };
   std::vector<Made> made;
   for (int i = 0; i < kMostMeshes; ++i) {
-    if (!crossing(tried)) x = log_scale_for(model, planned, std::log(target) - correction, x, kNearEstimate);
+    if (!crossing(tried)) {
+      x = log_scale_for(model, planned, std::log(target) - correction, x, kNearEstimate);
+      if (!tried.empty())
+        x = tried.front().second > 0.0 ? std::max(x, beyond(tried)) : std::min(x, beyond(tried));
+    }
     MeshResult result = mesh(sizes(x));
     const double count = static_cast<double>(std::max<std::size_t>(result.report.tets, 1));
     if (result.report.tets > 0) made.push_back({count, result.report.status == MeshStatus::kComplete});

@@ -2,10 +2,14 @@
 // Numbers of elements that are asked for.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "app/exit_code.h"
+#include "app/target_elements.h"
+#include "geom/occt/read_part.h"
 #include "tests/app/program.h"
 
 namespace octet {
@@ -34,6 +38,27 @@ TEST(TargetElements, ATargetThatIsMissedIsToldWithTheReason) {
               "however large the size");
   expect_note(report("bracket.step", "100"), "100 tetrahedra were asked for, the mesh has ", "has faults");
   EXPECT_TRUE(report("bracket.step", "9000")["notes"].empty());
+}
+
+TEST(TargetElements, FewMeshesFindANumberThatFeaturesDecide) {
+  // Numbers as parts with many features have them: they fall with next to no power of the size, and the
+  // octrees, of a plain box here, promise that they fall with its square or cube.
+  const Model box = read_part(std::filesystem::path(model_file("box.step")));
+  MeshOptions options;
+  options.target_elements = 30000;
+  for (const double power : {0.7, 1.0, 1.5, 3.0}) {
+    int meshes = 0;
+    const auto mesh = [&](const MeshOptions& with) {
+      ++meshes;
+      MeshResult result;
+      result.report.status = MeshStatus::kComplete;
+      result.report.tets = static_cast<std::size_t>(20000.0 + 50000.0 * std::pow(1.0 / with.size, power));
+      return result;
+    };
+    const MeshResult found = mesh_to_target(box, options, mesh);
+    EXPECT_NEAR(static_cast<double>(found.report.tets), 30000.0, 3750.0) << power;
+    EXPECT_LE(meshes, 5) << power;
+  }
 }
 
 }  // namespace
