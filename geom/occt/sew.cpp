@@ -3,6 +3,7 @@
 #include "geom/occt/sew.h"
 
 #include <BRepBuilderAPI_Sewing.hxx>
+#include <BRepTools_ReShape.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <ShapeFix_Shell.hxx>
@@ -10,6 +11,7 @@
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
+#include <TopTools_ListOfShape.hxx>
 #include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
@@ -20,10 +22,12 @@
 
 #include "geom/occt/free_edges.h"
 #include "geom/occt/gathered.h"
+#include "geom/occt/like_free_edges.h"
 #include "geom/occt/loose_bodies.h"
 #include "geom/occt/shape_box.h"
 #include "geom/occt/shape_measures.h"
 #include "geom/occt/shell_solids.h"
+#include "geom/occt/sub_shapes.h"
 
 namespace octet {
 namespace {
@@ -42,17 +46,49 @@ void add_history(const BRepBuilderAPI_Sewing& sewing, const TopoDS_Shape& compou
   }
 }
 
+/// The faces, sorted into shells that hang together and are turned alike.
+TopoDS_Shape shells_of(const std::vector<TopoDS_Shape>& faces) {
+  ShapeFix_Shell fix;
+  fix.FixFaceOrientation(shell_of(faces));
+  return fix.Shape();
+}
+
+/// What sewing has left beside each other.
+void join_what_is_left(const TopoDS_Compound& compound, Sewn& sewn) {
+  const Handle(BRepTools_ReShape) changes = new BRepTools_ReShape;
+  const std::size_t joined = join_like_free_edges(sewn.shape, sewn.tolerance, *changes);
+  if (joined == 0) return;
+  std::vector<TopoDS_Shape> faces;
+  for (TopExp_Explorer it(sewn.shape, TopAbs_FACE); it.More(); it.Next())
+    faces.push_back(changes->Apply(it.Current()));
+  sewn.shape = shells_of(faces);
+  sewn.free_edges = free_edges(sewn.shape).size();
+  const Handle(BRepTools_History) all = new BRepTools_History();
+  for (const TopAbs_ShapeEnum type : {TopAbs_FACE, TopAbs_EDGE, TopAbs_VERTEX}) {
+    const TopTools_IndexedMapOfShape parts = sub_shapes(compound, type);
+    for (int i = 1; i <= parts.Extent(); ++i) {
+      TopTools_ListOfShape images = sewn.history->Modified(parts(i));
+      if (images.IsEmpty()) images.Append(parts(i));
+      for (const TopoDS_Shape& image : images)
+        if (const TopoDS_Shape now = changes->Apply(image); !now.IsSame(parts(i)))
+          all->AddModified(parts(i), now);
+    }
+  }
+  sewn.history = all;
+}
+
 Sewn sewn_at_once(const TopoDS_Compound& compound, double tolerance) {
   BRepBuilderAPI_Sewing sewing(tolerance);
   sewing.Add(compound);
   sewing.Perform();
   Sewn sewn;
   sewn.shape = sewing.SewedShape();
-  sewn.solids = solids_from_shells(sewn.shape);
   sewn.free_edges = static_cast<std::size_t>(sewing.NbFreeEdges());
   sewn.tolerance = tolerance;
   sewn.history = new BRepTools_History();
   add_history(sewing, compound, *sewn.history);
+  join_what_is_left(compound, sewn);
+  sewn.solids = solids_from_shells(sewn.shape);
   return sewn;
 }
 
@@ -83,13 +119,6 @@ Sewn sewn_within(const LooseBodies& loose, const TopoDS_Compound& all, double to
     if (looser == 1.0 || sewn.free_edges == 0) return sewn;
   }
   return sewn_at_once(all, tolerance);
-}
-
-/// The faces, sorted into shells that hang together and are turned alike.
-TopoDS_Shape shells_of(const std::vector<TopoDS_Shape>& faces) {
-  ShapeFix_Shell fix;
-  fix.FixFaceOrientation(shell_of(faces));
-  return fix.Shape();
 }
 
 /// The tolerances of the cap's edges and vertices become as wide as these lie off it.
