@@ -12,6 +12,7 @@
 #include "app/length_unit.h"
 #include "app/words.h"
 #include "base/constants.h"
+#include "base/entity_words.h"
 #include "base/error.h"
 #include "io/size_file.h"
 #include "io/write.h"
@@ -26,8 +27,7 @@ namespace {
 double told(const Distribution& d, double value) { return d.angle ? value * kInDegrees : value; }
 
 std::string entity_name(ModelRef on) {
-  static constexpr const char* kWord[4] = {"Vertex", "Edge", "Face", "Region"};
-  return fmt::format("{}{}", kWord[std::clamp(on.dim, 0, 3)], on.tag);
+  return fmt::format("{}{}", entity_word(std::clamp(on.dim, 0, 3)), on.tag);
 }
 
 std::string row(const Distribution& d) {

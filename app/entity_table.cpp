@@ -12,12 +12,10 @@
 #include "app/marks_text.h"
 #include "app/words.h"
 #include "base/constants.h"
+#include "base/entity_words.h"
 
 namespace octet {
 namespace {
-
-constexpr std::array<const char*, 4> kKind{"Vertex", "Edge", "Face", "Region"};
-constexpr std::array<const char*, 4> kKindAsRead{"Vertex", "Edge", "Face", "Solid"};
 
 /// Rows of cells, each column as wide as its widest cell, up to what few cells need.
 class Columns {
@@ -45,7 +43,7 @@ class Columns {
 };
 
 std::string tag_text(ModelRef entity) {
-  return fmt::format("{}{}", kKind[static_cast<std::size_t>(entity.dim)], entity.tag);
+  return fmt::format("{}{}", entity_word(entity.dim), entity.tag);
 }
 
 std::string face_shape_text(const FaceShape& face) {
@@ -99,7 +97,7 @@ class LineEnds {
     std::string text = (name.empty() ? std::string() : fmt::format("\"{}\"", name)) + marks;
     const auto at = static_cast<std::size_t>(tag);
     if (at < sources_.size() && !sources_[at].empty() && sources_[at] != std::vector<int>{tag})
-      text += fmt::format(" ({} as read)", tag_list(kKindAsRead[dim_], sources_[at]));
+      text += fmt::format(" ({} as read)", tag_list(shape_word(static_cast<int>(dim_)), sources_[at]));
     text += ids_.text({static_cast<std::int32_t>(dim_), tag});
     return text.substr(std::min(text.find_first_not_of(' '), text.size()));
   }

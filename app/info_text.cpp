@@ -8,12 +8,12 @@
 
 #include "app/marks_text.h"
 #include "app/words.h"
+#include "base/entity_words.h"
 
 namespace octet {
 namespace {
 
 constexpr std::size_t kShown = 20;
-constexpr std::array<const char*, 4> kShapeKind{"Vertex", "Edge", "Face", "Solid"};
 
 /// A heading with the number of items, and the first of them.
 std::string listed(const char* heading, const std::vector<std::string>& items) {
@@ -118,7 +118,7 @@ std::string change_lines(const PartInfo& info) {
   std::vector<std::string> lines;
   // Faces and solids are what users name; edges and vertices follow from them.
   for (auto it = info.changes.rbegin(); it != info.changes.rend(); ++it) {
-    const char* kind = kShapeKind[static_cast<std::size_t>(it->as_read.dim)];
+    const char* kind = shape_word(it->as_read.dim);
     const char* now = it->as_read.dim == 3 ? "Region" : kind;
     lines.push_back(fmt::format("{}{} as read is {}", kind, it->as_read.tag, tag_list(now, it->tags)));
   }
@@ -131,9 +131,9 @@ std::string left_out_lines(const Model& model) {
   if (model.provenance().left_out.empty()) return {};
   std::vector<std::string> lines;
   for (const LeftOut& item : model.provenance().left_out)
-    lines.push_back(fmt::format("{}{} as read{}, {:.6g} mm{}, at {}",
-                                kShapeKind[static_cast<std::size_t>(item.entity.dim)], item.entity.tag,
-                                item.name.empty() ? "" : " \"" + item.name + "\"", item.measure,
+    lines.push_back(fmt::format("{}{} as read{}, {:.6g} mm{}, at {}", shape_word(item.entity.dim),
+                                item.entity.tag, item.name.empty() ? "" : " \"" + item.name + "\"",
+                                item.measure,
                                 item.entity.dim == 3   ? "^3"
                                 : item.entity.dim == 2 ? "^2"
                                                        : "",
@@ -157,9 +157,9 @@ std::string fault_summary(const Model& model, const PartInfo& info) {
     for (const TinyFeature& feature : info.tiny)
       if (feature.entity.dim == dim) tags.push_back(feature.entity.tag);
     if (!tags.empty())
-      text += fmt::format(
-          "  {}    {} (no {} than the gaps around)\n", dim == 1 ? "tiny edges   " : "sliver faces ",
-          tag_list(kShapeKind[static_cast<std::size_t>(dim)], tags), dim == 1 ? "longer" : "wider");
+      text += fmt::format("  {}    {} (no {} than the gaps around)\n",
+                          dim == 1 ? "tiny edges   " : "sliver faces ", tag_list(shape_word(dim), tags),
+                          dim == 1 ? "longer" : "wider");
   }
   if (!info.contact.vertices.empty())
     text += fmt::format("  pinched vertices {} (the boundary touches itself)\n",

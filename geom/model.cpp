@@ -10,6 +10,7 @@
 
 #include "base/check.h"
 #include "base/constants.h"
+#include "base/entity_words.h"
 #include "geom/facet_trim.h"
 #include "geom/model_data.h"
 
@@ -179,7 +180,6 @@ bool Model::in_closure(ModelRef part, ModelRef whole) const {
 }
 
 std::string Model::describe(ModelRef entity) const {
-  static constexpr std::array<const char*, 4> kWord{"Vertex", "Edge", "Face", "Region"};
   if (entity == ModelRef{3, 0}) return "the outside";
   if (!entity.valid() || entity.dim > 3 || entity.tag > count(entity.dim)) return "no model entity";
   const std::array<const std::string*, 4> names{entity.dim == 0 ? &vertex(entity.tag).name : nullptr,
@@ -188,7 +188,7 @@ std::string Model::describe(ModelRef entity) const {
                                                 entity.dim == 3 ? &region(entity.tag).name : nullptr};
   const std::vector<int>& whole_tag = parts().whole_tag[static_cast<std::size_t>(entity.dim)];
   const int told = whole_tag.empty() ? entity.tag : whole_tag[static_cast<std::size_t>(entity.tag)];
-  std::string text = std::string(kWord[entity.dim]) + " " + std::to_string(told);
+  std::string text = std::string(entity_word(entity.dim)) + " " + std::to_string(told);
   const std::string& name = *names[entity.dim];
   if (!name.empty()) text += " \"" + name + "\"";
   return text;

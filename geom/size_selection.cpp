@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/sort_unique.h"
 #include "geom/closest_word.h"
+#include "base/entity_words.h"
 #include "geom/entity_foot.h"
 #include "geom/size_attributes.h"
 #include "geom/text_pattern.h"
@@ -138,6 +139,14 @@ void add_places_like(const Model& model, const std::string& place, std::vector<s
   }
 }
 
+/// The same numbers, as those of the file.
+std::string file_place(const SizeAttribute& attribute) {
+  std::string text = entity_word(attribute.dim);
+  text.append("%").append(std::to_string(attribute.first));
+  if (attribute.last > attribute.first) text.append("-").append(std::to_string(attribute.last));
+  return text;
+}
+
 /// How numbers are written, for a place that has some but not so.
 std::string forms_of_numbers(const std::string& place) {
   const std::size_t digit = place.find_first_of("0123456789"), comma = place.find(',');
@@ -161,8 +170,13 @@ std::string meant(const Model& model, const SizeAttribute& attribute) {
     text.append(" (did you mean \"").append(close).append("\"?)");
   else if (attribute.dim < 0)
     text.append(forms_of_numbers(attribute.pattern));
-  if (is_by_number(attribute.where))
-    text.append(" (its numbers end at ").append(std::to_string(last_number(model, attribute))).append(")");
+  if (is_by_number(attribute.where)) {
+    text.append(" (its numbers end at ").append(std::to_string(last_number(model, attribute)));
+    const auto& as_read = model.provenance().as_read[static_cast<std::size_t>(attribute.dim)];
+    if (attribute.where == Where::kNumbers && static_cast<std::size_t>(attribute.first) < as_read.size())
+      text.append("; ").append(file_place(attribute)).append(" for the number in the file");
+    text.append(")");
+  }
   return text;
 }
 

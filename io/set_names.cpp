@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <set>
 
+#include "base/entity_words.h"
+
 namespace octet {
 namespace {
 
@@ -27,10 +29,7 @@ std::string set_name(const std::string& name) {
 
 }  // namespace
 
-std::string entity_name(ModelRef entity) {
-  constexpr const char* kKind[4] = {"Vertex", "Edge", "Face", "Solid"};
-  return fmt::format("{}{}", kKind[entity.dim], entity.tag);
-}
+std::string entity_name(ModelRef entity) { return fmt::format("{}{}", shape_word(entity.dim), entity.tag); }
 
 SetNames set_names(const ModelOutline& outline, std::size_t longest) {
   constexpr const char* kKinds[4] = {"Vertices", "Edges", "Faces", "Solids"};

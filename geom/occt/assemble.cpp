@@ -11,12 +11,12 @@
 #include <TopoDS_Face.hxx>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <mutex>
 #include <set>
 #include <utility>
 
+#include "base/entity_words.h"
 #include "base/error.h"
 #include "geom/occt/common_faces.h"
 #include "geom/occt/heal.h"
@@ -76,13 +76,12 @@ void note_overlaps(ModelParts& parts) {
 
 void note_left_out(ModelParts& parts) {
   for (const int dim : {3, 2, 1, 0}) {
-    static constexpr std::array<const char*, 4> kKind{"Vertex", "Edge", "Face", "Solid"};
     int count = 0;
     const LeftOut* first = nullptr;
     for (const LeftOut& item : parts.provenance.left_out)
       if (item.entity.dim == dim && count++ == 0) first = &item;
     if (count == 0) continue;
-    const std::string word = kKind[static_cast<std::size_t>(dim)];
+    const std::string word = shape_word(dim);
     parts.notes.push_back(fmt::format(
         "{} {} number(s) of the file bound no volume and are left out, the first is {} {}{} at ({:.6g}, "
         "{:.6g}, "

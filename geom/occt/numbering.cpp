@@ -7,14 +7,13 @@
 #include <TopTools_ListOfShape.hxx>
 #include <algorithm>
 
+#include "base/entity_words.h"
 #include "base/sort_unique.h"
 #include "geom/occt/gathered.h"
 #include "geom/occt/sub_shapes.h"
 
 namespace octet {
 namespace {
-
-constexpr const char* kKind[4] = {"Vertex", "Edge", "Face", "Solid"};
 
 /// Indices in the final map, by number as read ([0] unused), and the other way round.
 struct Trace {
@@ -112,7 +111,7 @@ void note_changes(int dim, const Numbering& numbering, std::vector<std::string>&
   }
   if (changed > 0)
     notes.push_back(fmt::format("{} {} number(s) differ from the file's: {}{} as read is {}{}", changed,
-                                kKind[dim], kKind[dim], first, kKind[dim],
+                                shape_word(dim), shape_word(dim), first, shape_word(dim),
                                 numbering.became[dim][static_cast<std::size_t>(first)].front()));
 }
 

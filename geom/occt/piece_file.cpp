@@ -22,10 +22,10 @@
 #include <XCAFDoc_ShapeTool.hxx>
 #include <XSControl_WorkSession.hxx>
 #include <algorithm>
-#include <array>
 #include <functional>
 #include <sstream>
 
+#include "base/entity_words.h"
 #include "base/error.h"
 #include "geom/occt/byte_stream.h"
 #include "geom/occt/scoped_document.h"
@@ -42,14 +42,13 @@ struct Wished {
 };
 
 Wished wished_shapes(const ShapeMaps& as_read, const std::vector<ModelRef>& entities) {
-  constexpr std::array<const char*, 4> kKind{"Vertex", "Edge", "Face", "Solid"};
   Wished wished;
   for (const ModelRef entity : entities) {
     if (!entity.valid() || entity.dim > 3) throw InputError("a piece needs entities with numbers from 1");
     const TopTools_IndexedMapOfShape& all = as_read.of[entity.dim];
     if (entity.tag > all.Extent())
       throw InputError(fmt::format("there is no {} {} in the file, which has {}",
-                                   kKind[static_cast<std::size_t>(entity.dim)], entity.tag, all.Extent()));
+                                   shape_word(entity.dim), entity.tag, all.Extent()));
     (entity.dim == 3 ? wished.solids : wished.others).Add(all(entity.tag));
   }
   return wished;

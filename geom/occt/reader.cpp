@@ -9,12 +9,12 @@
 #include <Standard_OutOfMemory.hxx>
 #include <Standard_Version.hxx>
 #include <algorithm>
-#include <array>
 #include <new>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "base/entity_words.h"
 #include "base/error.h"
 #include "geom/occt/assemble.h"
 #include "geom/occt/byte_stream.h"
@@ -33,7 +33,6 @@ namespace fs = std::filesystem;
 
 /// The error with what the file itself calls the entity that it names.
 ModelError with_id(const ModelError& error, const CadDocument& document) {
-  static constexpr std::array<const char*, 4> kKind{"Vertex", "Edge", "Face", "Solid"};
   const ModelRef entity = error.entity();
   if (!entity.valid()) return error;
   const ShapeMaps as_read(document.shape);
@@ -41,7 +40,7 @@ ModelError with_id(const ModelError& error, const CadDocument& document) {
   const auto tag = static_cast<std::size_t>(entity.tag);
   if (tag >= ids.size() || ids[tag] == 0) return error;
   return {fmt::format("{}; {} {} is {}{} in the file", error.what(),
-                      kKind[static_cast<std::size_t>(entity.dim)], tag, document.id_mark, ids[tag]),
+                      shape_word(entity.dim), tag, document.id_mark, ids[tag]),
           entity};
 }
 

@@ -94,6 +94,10 @@ TEST(SizeCommand, MisspeltWordsAreToldWhatTheyMayHaveMeant) {
   EXPECT_TRUE(says(refusal(fixture, {"--size-at", "Fase3=1"}), "did you mean \"Face3\"?"));
   EXPECT_TRUE(says(refusal(fixture, {"--size-at", "bal:0,0,0,3=1"}), "did you mean \"ball:0,0,0,3\"?"));
   EXPECT_TRUE(says(refusal(fixture, {"--size-at", "Face900=1"}), "its numbers end at "));
+  EXPECT_FALSE(says(refusal(fixture, {"--size-at", "Face900=1"}), "Face%900"));
+  // A solid of its own is left out there, and with it the last numbers.
+  const std::string open = model_file("fixture_open_block.step");
+  EXPECT_TRUE(says(refusal(open, {"--size-at", "Face15=1"}), "Face%15 for the number in the file"));
 }
 
 TEST(SizeCommand, AMissingOrMisspeltCommandIsToldWhatItMayHaveBeen) {

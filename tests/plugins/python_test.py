@@ -282,6 +282,19 @@ class Runs(unittest.TestCase):
         self.assertEqual(octet.check(better, model("box.step"), unit="inch")["status"], "incomplete")
 
 
+    def test_pieces_of_a_part_are_parts(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "piece.step")
+            self.assertEqual(octet.extract(model("box.step"), "Face1", path, around=0), path)
+            with open(path, encoding="utf-8") as file:
+                self.assertEqual(len(re.findall("ADVANCED_FACE", file.read())), 1)
+            self.assertEqual(octet.extract(model("box.step"), ["Face1", "Face2"], path, around=1), path)
+            with open(path, encoding="utf-8") as file:
+                self.assertEqual(len(re.findall("ADVANCED_FACE", file.read())), 6)
+            with self.assertRaisesRegex(octet.OctetError, "Face99"):
+                octet.extract(model("box.step"), "Face99", path)
+
+
 class Files(unittest.TestCase):
     def test_the_package_has_the_version_of_the_program(self):
         package = os.path.dirname(os.path.dirname(octet.__file__))

@@ -9,7 +9,7 @@
 
 The work is done by the program octet, in a process of its own."""
 from .arrays import Mesh, read
-from .meshing import IncompleteError, adapt, check, improve, info, mesh, quality
+from .meshing import IncompleteError, adapt, check, extract, improve, info, mesh, quality
 from .program import OctetError
 
 __all__ = [
@@ -18,6 +18,7 @@ __all__ = [
     "IncompleteError",
     "adapt",
     "check",
+    "extract",
     "improve",
     "info",
     "mesh",

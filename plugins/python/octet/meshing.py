@@ -8,7 +8,7 @@ import weakref
 import numpy as np
 
 from .arrays import Mesh
-from .program import OctetError, Run, ask, find_program, words_of
+from .program import OctetError, Run, ask, find_program, told, words_of
 
 
 class IncompleteError(OctetError):
@@ -198,6 +198,17 @@ def info(part, **options):
     `octet info`, a dict. With at="0,10,5", or a list of such, key "at" tells what is at these places."""
     folder = _Folder()
     return ask(find_program(), ["info", _part_file(part, folder.name), *_words(options)])
+
+
+def extract(part, places, output, **options):
+    """Writes some faces of a part as its file has them, to look at or to send on: `octet extract`. Places are a
+    text or a list of such ("Face12", "Region2", "Face%#4711", a face "Face@x,y,z"); the output is a .step or
+    .brep file, whose path is returned. around=N: how often the faces that touch those are taken, too."""
+    folder = _Folder()
+    places = [places] if isinstance(places, str) else list(places)
+    words = [_part_file(part, folder.name), *places, "-o", os.fspath(output), *_words(options)]
+    told(find_program(), ["extract", *words])
+    return os.fspath(output)
 
 
 def check(mesh, part, **options):

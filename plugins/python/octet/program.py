@@ -132,14 +132,17 @@ class Run:
             raise
 
 
-def ask(program, arguments):
-    """What a command prints as JSON. OctetError when it cannot answer."""
-    done = subprocess.run(
-        [program, *arguments, "--json"], stdin=subprocess.DEVNULL, capture_output=True, text=True
-    )
+def told(program, arguments):
+    """What a command prints. OctetError when it fails."""
+    done = subprocess.run([program, *arguments], stdin=subprocess.DEVNULL, capture_output=True, text=True)
     if done.returncode not in (COMPLETE, INCOMPLETE):
         raise OctetError(_reason(done.stderr.splitlines(), done.returncode))
-    return json.loads(done.stdout)
+    return done.stdout
+
+
+def ask(program, arguments):
+    """What a command prints as JSON. OctetError when it cannot answer."""
+    return json.loads(told(program, [*arguments, "--json"]))
 
 
 def words_of(fault):
