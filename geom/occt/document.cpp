@@ -40,6 +40,7 @@
 #include "geom/occt/loop_sides.h"
 #include "geom/occt/scoped_document.h"
 #include "geom/occt/scoped_setting.h"
+#include "geom/occt/shape_box.h"
 #include "geom/occt/stated_accuracy.h"
 #include "geom/occt/sub_shapes.h"
 
@@ -252,7 +253,8 @@ std::string iges_unit(int flag, const std::string& name) {
 /// those on the surfaces alone. Values of its `read.surfacecurve.mode`.
 enum class IgesCurves { kEither = 0, kOnSurfaces = -2 };
 
-CadDocument read_iges_by(const std::filesystem::path& path, IgesCurves curves) {
+/// `precision`: mm, within which OCCT's reader joins what it reads; 0: what the file states.
+CadDocument read_iges_by(const std::filesystem::path& path, IgesCurves curves, double precision = 0.0) {
   IGESControl_Controller::Init();
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
   const ScopedSetting mode("read.surfacecurve.mode", static_cast<int>(curves));
@@ -264,11 +266,15 @@ CadDocument read_iges_by(const std::filesystem::path& path, IgesCurves curves) {
     throw InputError("IGES file " + quoted(path) + " cannot be parsed: it is damaged or truncated");
   CadDocument result;
   const Handle(IGESData_IGESModel) model = reader.IGESModel();
+  double in_file_units = Interface_Static::RVal("read.precision.val");
   if (!model.IsNull()) {
     const IGESData_GlobalSection& global = model->GlobalSection();
+    if (precision > 0.0) in_file_units = precision / global.UnitValue();
     const std::string name = global.UnitName().IsNull() ? "" : global.UnitName()->ToCString();
     result.unit = iges_unit(global.UnitFlag(), name);
   }
+  const ScopedSetting whose("read.precision.mode", precision > 0.0 ? 1 : 0);
+  const ScopedSetting value("read.precision.val", in_file_units);
   ScopedDocument document;
   if (reader.Transfer(document.get())) collect_labels(document.get(), result);
   result.ids = iges_ids(reader);
@@ -276,10 +282,28 @@ CadDocument read_iges_by(const std::filesystem::path& path, IgesCurves curves) {
   return result;
 }
 
+/// Where loops of the file are open by more than the precision that it states, the reader leaves their
+/// faces without anything inside: such a file is read with coarser ones.
+CadDocument read_iges_joined(const std::filesystem::path& path) {
+  CadDocument result = read_iges_by(path, IgesCurves::kEither);
+  const TopoDS_Shape empty = first_empty_face(result.shape);
+  if (empty.IsNull()) return result;
+  const double diagonal = diagonal_of(box_of(result.shape));
+  for (const double share : {1e-6, 1e-5, 1e-4}) {
+    CadDocument joined = read_iges_by(path, IgesCurves::kEither, share * diagonal);
+    if (joined.shape.IsNull() || !first_empty_face(joined.shape).IsNull()) continue;
+    joined.notes.push_back(fmt::format(
+        "read with a precision of {:.3g} mm: with what the IGES file states {} has nothing inside its loops",
+        share * diagonal, face_in(result.shape, empty)));
+    return joined;
+  }
+  return result;
+}
+
 /// Where OCCT's reader goes by the curves in space it takes the part of a ball or a ring that their loop
 /// encloses, whatever the file says, or part of a ring twice where the loop meets the seam.
 CadDocument read_iges(const std::filesystem::path& path) {
-  CadDocument result = read_iges_by(path, IgesCurves::kEither);
+  CadDocument result = read_iges_joined(path);
   if (!has_closed_surface(result.shape)) return result;
   CadDocument other = read_iges_by(path, IgesCurves::kOnSurfaces);
   const auto [faces, believed] = other_parts(result.shape, other.shape);

@@ -11,6 +11,10 @@ namespace octet {
 /// parts of it; which one is the face the file tells by the loop in (u,v).
 [[nodiscard]] bool has_closed_surface(const TopoDS_Shape& shape);
 
+/// The first face on a surface that is closed one way or the other of which nothing is left: its loops, each
+/// all around, came apart. Null: none.
+[[nodiscard]] TopoDS_Shape first_empty_face(const TopoDS_Shape& shape);
+
 struct OtherParts {
   std::vector<TopoDS_Shape> faces;  ///< of the first reading, on such surfaces
   /// No other face differs, and where these have corners the others have, too: else the curves in (u,v) are

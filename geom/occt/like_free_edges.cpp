@@ -2,9 +2,12 @@
 // Pairs are looked for among the edges of the same vertices.
 #include "geom/occt/like_free_edges.h"
 
+#include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom2d_Curve.hxx>
 #include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
@@ -12,6 +15,9 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <algorithm>
+#include <cmath>
+#include <gp_Pnt2d.hxx>
+#include <gp_Vec2d.hxx>
 #include <optional>
 #include <vector>
 
@@ -26,6 +32,34 @@ bool same_ends(const TopoDS_Edge& a, const TopoDS_Edge& b) {
                       b1 = TopExp::LastVertex(b);
   if (a0.IsNull() || a1.IsNull() || b0.IsNull() || b1.IsNull()) return false;
   return (a0.IsSame(b0) && a1.IsSame(b1)) || (a0.IsSame(b1) && a1.IsSame(b0));
+}
+
+gp_Pnt2d middle_on(const TopoDS_Edge& edge, const TopoDS_Face& face) {
+  double first = 0.0, last = 0.0;
+  const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, face, first, last);
+  return curve.IsNull() ? gp_Pnt2d() : curve->Value(0.5 * (first + last));
+}
+
+/// Two edges of one face are its seam where it lies between their curves on it; else it has a slit there.
+bool are_a_seam(const TopoDS_Edge& one, const TopoDS_Edge& other, const TopoDS_Face& face) {
+  constexpr double kBetween = 0.9;
+  double u0 = 0.0, u1 = 0.0, v0 = 0.0, v1 = 0.0;
+  BRepTools::UVBounds(face, u0, u1, v0, v1);
+  const gp_Vec2d apart(middle_on(one, face), middle_on(other, face));
+  return std::abs(apart.X()) > kBetween * (u1 - u0) || std::abs(apart.Y()) > kBetween * (v1 - v0);
+}
+
+/// Gives `kept` the curve on the face of `other`, which the face has as well.
+void make_seam(const TopoDS_Edge& kept, const TopoDS_Edge& other, const TopoDS_Face& face, bool along) {
+  double first = 0.0, last = 0.0;
+  const Handle(Geom2d_Curve) own = BRep_Tool::CurveOnSurface(kept, face, first, last);
+  take_curve(other, face, kept, along);
+  const Handle(Geom2d_Curve) taken = BRep_Tool::CurveOnSurface(kept, face, first, last);
+  bool forward = true;
+  for (TopExp_Explorer it(face.Oriented(TopAbs_FORWARD), TopAbs_EDGE); it.More(); it.Next())
+    if (it.Current().IsSame(kept)) forward = it.Current().Orientation() == TopAbs_FORWARD;
+  const BRep_Builder builder;
+  builder.UpdateEdge(kept, forward ? own : taken, forward ? taken : own, face, BRep_Tool::Tolerance(kept));
 }
 
 }  // namespace
@@ -46,12 +80,15 @@ std::size_t join_like_free_edges(const TopoDS_Shape& shape, double near, BRepToo
     for (const TopoDS_Shape& there : edges_of.FindFromKey(start)) {
       const TopoDS_Edge other = TopoDS::Edge(there);
       const TopoDS_Face face = TopoDS::Face(faces_of.FindFromKey(other).First());
-      if (done.Contains(other) || faces_of.FindFromKey(kept).First().IsSame(face) || !same_ends(kept, other))
-        continue;
+      if (other.IsSame(kept) || done.Contains(other) || !same_ends(kept, other)) continue;
       const std::optional<bool> along = same_way(kept, other, near);
-      if (!along) continue;
+      const bool within = faces_of.FindFromKey(kept).First().IsSame(face);
+      if (!along || (within && !are_a_seam(kept, other, face))) continue;
       builder.UpdateEdge(kept, std::max(near, BRep_Tool::Tolerance(other)));
-      take_curve(other, face, kept, *along);
+      if (within)
+        make_seam(kept, other, face, *along);
+      else
+        take_curve(other, face, kept, *along);
       changes.Replace(other, kept.Oriented(*along ? TopAbs_FORWARD : TopAbs_REVERSED));
       done.Add(kept);
       done.Add(other);

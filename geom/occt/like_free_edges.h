@@ -8,10 +8,11 @@
 
 namespace octet {
 
-/// Puts one in the place of the other, in `changes`, for every two free edges (geom/occt/free_edges) of
-/// different faces of the shape that have their vertices in common and run beside each other within `near`
-/// (mm) all along. OCCT's sewing joins the vertices and leaves such edges now and then, as beside the seam of
-/// a ball. Returns how many pairs there were.
+/// Puts one in the place of the other, in `changes`, for every two free edges (geom/occt/free_edges) of the
+/// shape that have their vertices in common and run beside each other within `near` (mm) all along; of one
+/// face only where they are its seam. OCCT's sewing joins the vertices and leaves such edges now and then, as
+/// those beside the seam of a ball, and seams of surfaces that close but for rounding. Returns how many pairs
+/// there were.
 [[nodiscard]] std::size_t join_like_free_edges(const TopoDS_Shape& shape, double near,
                                                BRepTools_ReShape& changes);
 

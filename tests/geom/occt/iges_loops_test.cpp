@@ -1,19 +1,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A ring with a flat on its seam, through IGES files.
+// Rings with a flat on their seam, and loops that are open, through IGES files.
 #include "geom/occt/iges_loops.h"
 
 #include <gtest/gtest.h>
 
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <IGESControl_Controller.hxx>
 #include <Interface_Static.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Wire.hxx>
 #include <gp_Ax2.hxx>
 
 #include <cmath>
 #include <filesystem>
+#include <numbers>
+#include <string>
+#include <vector>
 
+#include "geom/occt/gathered.h"
 #include "geom/occt/read_part.h"
+#include "geom/occt/scoped_setting.h"
 #include "geom/occt/shape_measures.h"
 #include "tests/support/loose_iges.h"
 
@@ -59,6 +74,81 @@ TEST(IgesLoops, AnotherReadingIsBelievedWhereOnlySuchFacesDiffer) {
   const OtherParts larger = other_parts(ring, BRepPrimAPI_MakeTorus(12.0, 6.0).Shape());
   EXPECT_EQ(larger.faces.size(), 1u);
   EXPECT_FALSE(larger.to_be_believed) << "its corner is elsewhere";
+}
+
+/// The faces of a cylinder whose seam ends `gap` off its vertex, which covers it; the wall's loop begins with
+/// its edge of this index.
+TopoDS_Shape loose_seam(double gap, std::size_t begin) {
+  const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(0.25, 11.1).Solid();
+  const BRep_Builder builder;
+  std::vector<TopoDS_Shape> faces;
+  for (TopExp_Explorer face(cylinder, TopAbs_FACE); face.More(); face.Next()) {
+    std::vector<TopoDS_Shape> edges;
+    for (TopExp_Explorer it(face.Current(), TopAbs_EDGE); it.More(); it.Next()) edges.push_back(it.Current());
+    faces.push_back(face.Current());
+    if (edges.size() < 4) continue;
+    for (const TopoDS_Shape& shape : edges) {
+      const TopoDS_Edge edge = TopoDS::Edge(shape.Oriented(TopAbs_FORWARD));
+      double first = 0.0, last = 0.0;
+      BRep_Tool::Range(edge, first, last);
+      if (!BRep_Tool::IsClosed(edge, TopoDS::Face(face.Current())) || first > 0.0) continue;
+      builder.Range(edge, gap, last);
+      builder.UpdateVertex(TopExp::FirstVertex(edge), 2.0 * gap);
+    }
+    TopoDS_Wire wire;
+    builder.MakeWire(wire);
+    for (std::size_t i = 0; i < edges.size(); ++i) builder.Add(wire, edges[(begin + i) % edges.size()]);
+    faces.back() = face.Current().EmptyCopied();
+    builder.Add(faces.back(), wire);
+  }
+  return compound_of(faces);
+}
+
+TEST(IgesLoops, LoopsOpenByMoreThanTheStatedPrecisionAreJoined) {
+  const auto path = std::filesystem::temp_directory_path() / "octet_IgesPrecision.iges";
+  IGESControl_Controller::Init();
+  const ScopedSetting least("write.precision.mode", -1);  // states the least tolerance, not the mean one
+  ReadOptions options;
+  options.isolate = false;
+  const auto notes_of_precision = [](const Model& model) {
+    int found = 0;
+    for (const std::string& note : model.notes()) found += note.rfind("read with a precision of", 0) == 0;
+    return found;
+  };
+  for (const double gap : {0.0, 5e-6, 5e-5}) {
+    int read_again = 0;
+    for (std::size_t begin = 0; begin < 4; ++begin) {
+      ASSERT_TRUE(test::write_loose_iges(loose_seam(gap, begin), path));
+      const int mode = Interface_Static::IVal("read.precision.mode");
+      const double value = Interface_Static::RVal("read.precision.val");
+      const Model model = read_part(path, options);
+      EXPECT_EQ(Interface_Static::IVal("read.precision.mode"), mode);
+      EXPECT_EQ(Interface_Static::RVal("read.precision.val"), value);
+      ASSERT_EQ(model.count(3), 1) << gap << " " << begin;
+      EXPECT_NEAR(model.region(1).volume, std::numbers::pi * 0.0625 * 11.1, 1e-4) << gap << " " << begin;
+      read_again += notes_of_precision(model);
+    }
+    EXPECT_EQ(read_again > 0, gap > 0.0) << gap;
+  }
+  std::filesystem::remove(path);
+}
+
+TEST(IgesLoops, AFaceOfWhichNothingIsLeftIsFound) {
+  const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(2.0, 5.0).Shape();
+  EXPECT_TRUE(first_empty_face(cylinder).IsNull());
+  EXPECT_TRUE(first_empty_face(BRepPrimAPI_MakeTorus(12.0, 5.0).Shape()).IsNull());
+  EXPECT_TRUE(first_empty_face(BRepPrimAPI_MakeSphere(5.0).Shape()).IsNull());
+  // The cylinder's wall with one of its circles alone.
+  const TopoDS_Face wall = TopoDS::Face(TopExp_Explorer(cylinder, TopAbs_FACE).Current());
+  TopExp_Explorer it(wall, TopAbs_EDGE);
+  while (BRep_Tool::IsClosed(TopoDS::Edge(it.Current()), wall)) it.Next();
+  const BRep_Builder builder;
+  TopoDS_Wire wire;
+  builder.MakeWire(wire);
+  builder.Add(wire, it.Current());
+  TopoDS_Shape empty = wall.EmptyCopied();
+  builder.Add(empty, wire);
+  EXPECT_FALSE(first_empty_face(empty).IsNull());
 }
 
 }  // namespace

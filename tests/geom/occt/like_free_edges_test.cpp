@@ -8,8 +8,10 @@
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <GC_MakeArcOfCircle.hxx>
+#include <Geom2d_Curve.hxx>
 #include <Geom_Curve.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -17,6 +19,7 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
+#include <TopoDS_Wire.hxx>
 #include <gp_Pnt.hxx>
 #include <vector>
 
@@ -81,6 +84,43 @@ TEST(LikeFreeEdges, OneOfTwoStandsForBoth) {
       EXPECT_EQ(free_after(shape, 1e-6, 1), 0u);
     }
   }
+}
+
+/// The faces of a cylinder whose wall has two edges for its seam; or, with `slit`, both on one side of it.
+TopoDS_Shape with_two_seams(bool slit) {
+  const BRep_Builder builder;
+  std::vector<TopoDS_Shape> faces;
+  const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(1.0, 2.0).Shape();
+  for (TopExp_Explorer face(cylinder, TopAbs_FACE); face.More(); face.Next()) {
+    const TopoDS_Face was = TopoDS::Face(face.Current());
+    TopoDS_Wire wire;
+    builder.MakeWire(wire);
+    for (TopExp_Explorer it(was, TopAbs_EDGE); it.More(); it.Next()) {
+      const TopoDS_Edge edge = TopoDS::Edge(it.Current());
+      if (!BRep_Tool::IsClosed(edge, was)) {
+        builder.Add(wire, edge);
+        continue;
+      }
+      double first = 0.0, last = 0.0;
+      const Handle(Geom_Curve) line = BRep_Tool::Curve(edge, first, last);
+      const TopoDS_Edge side = TopoDS::Edge(edge.Oriented(slit ? TopAbs_FORWARD : edge.Orientation()));
+      const Handle(Geom2d_Curve) on_wall = BRep_Tool::CurveOnSurface(side, was, first, last);
+      TopoDS_Edge own =
+          BRepBuilderAPI_MakeEdge(line, TopExp::FirstVertex(edge), TopExp::LastVertex(edge), first, last);
+      builder.UpdateEdge(own, on_wall, was, BRep_Tool::Tolerance(edge));
+      builder.Add(wire, own.Oriented(edge.Orientation()));
+    }
+    const bool wall = wire.NbChildren() > 1;
+    faces.push_back(wall ? was.EmptyCopied() : face.Current());
+    if (wall) builder.Add(faces.back(), wire);
+  }
+  return shell_of(faces);
+}
+
+TEST(LikeFreeEdges, TwoEdgesOfOneFaceAreItsSeamButNotASlit) {
+  EXPECT_EQ(free_edges(with_two_seams(false)).size(), 2u);
+  EXPECT_EQ(free_after(with_two_seams(false), 1e-6, 1), 0u);
+  EXPECT_EQ(free_after(with_two_seams(true), 1e-6, 0), 2u);
 }
 
 TEST(LikeFreeEdges, EdgesThatRunApartStayTwo) {
