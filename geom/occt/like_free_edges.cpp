@@ -13,6 +13,7 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
+#include <TopoDS_Iterator.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <algorithm>
 #include <cmath>
@@ -49,17 +50,30 @@ bool are_a_seam(const TopoDS_Edge& one, const TopoDS_Edge& other, const TopoDS_F
   return std::abs(apart.X()) > kBetween * (u1 - u0) || std::abs(apart.Y()) > kBetween * (v1 - v0);
 }
 
-/// Gives `kept` the curve on the face of `other`, which the face has as well.
-void make_seam(const TopoDS_Edge& kept, const TopoDS_Edge& other, const TopoDS_Face& face, bool along) {
-  double first = 0.0, last = 0.0;
-  const Handle(Geom2d_Curve) own = BRep_Tool::CurveOnSurface(kept, face, first, last);
-  take_curve(other, face, kept, along);
-  const Handle(Geom2d_Curve) taken = BRep_Tool::CurveOnSurface(kept, face, first, last);
-  bool forward = true;
-  for (TopExp_Explorer it(face.Oriented(TopAbs_FORWARD), TopAbs_EDGE); it.More(); it.Next())
-    if (it.Current().IsSame(kept)) forward = it.Current().Orientation() == TopAbs_FORWARD;
+/// A copy with the same vertices and curves: the shapes that were sewn may have the edge as well.
+TopoDS_Edge copy_of(const TopoDS_Edge& edge) {
   const BRep_Builder builder;
-  builder.UpdateEdge(kept, forward ? own : taken, forward ? taken : own, face, BRep_Tool::Tolerance(kept));
+  TopoDS_Edge copy = TopoDS::Edge(edge.EmptyCopied());
+  for (TopoDS_Iterator it(edge); it.More(); it.Next()) builder.Add(copy, it.Value());
+  return copy;
+}
+
+bool is_forward_in(const TopoDS_Face& face, const TopoDS_Edge& edge) {
+  for (TopExp_Explorer it(face.Oriented(TopAbs_FORWARD), TopAbs_EDGE); it.More(); it.Next())
+    if (it.Current().IsSame(edge)) return it.Current().Orientation() == TopAbs_FORWARD;
+  return false;
+}
+
+/// Gives the seam, which has a curve on the face for the one side (its forward use, or else the other), that
+/// of `other`, too.
+void make_seam(const TopoDS_Edge& seam, bool forward, const TopoDS_Edge& other, const TopoDS_Face& face,
+               bool along) {
+  double first = 0.0, last = 0.0;
+  const Handle(Geom2d_Curve) own = BRep_Tool::CurveOnSurface(seam, face, first, last);
+  take_curve(other, face, seam, along);
+  const Handle(Geom2d_Curve) taken = BRep_Tool::CurveOnSurface(seam, face, first, last);
+  const BRep_Builder builder;
+  builder.UpdateEdge(seam, forward ? own : taken, forward ? taken : own, face, BRep_Tool::Tolerance(seam));
 }
 
 }  // namespace
@@ -84,12 +98,14 @@ std::size_t join_like_free_edges(const TopoDS_Shape& shape, double near, BRepToo
       const std::optional<bool> along = same_way(kept, other, near);
       const bool within = faces_of.FindFromKey(kept).First().IsSame(face);
       if (!along || (within && !are_a_seam(kept, other, face))) continue;
-      builder.UpdateEdge(kept, std::max(near, BRep_Tool::Tolerance(other)));
+      const TopoDS_Edge both = copy_of(kept);
+      builder.UpdateEdge(both, std::max(near, BRep_Tool::Tolerance(other)));
       if (within)
-        make_seam(kept, other, face, *along);
+        make_seam(both, is_forward_in(face, kept), other, face, *along);
       else
-        take_curve(other, face, kept, *along);
-      changes.Replace(other, kept.Oriented(*along ? TopAbs_FORWARD : TopAbs_REVERSED));
+        take_curve(other, face, both, *along);
+      changes.Replace(kept, both);
+      changes.Replace(other, both.Oriented(*along ? TopAbs_FORWARD : TopAbs_REVERSED));
       done.Add(kept);
       done.Add(other);
       ++pairs;

@@ -8,7 +8,7 @@
 
 namespace octet {
 
-/// Puts one in the place of the other, in `changes`, for every two free edges (geom/occt/free_edges) of the
+/// Puts one edge in the place of both, in `changes`, for every two free edges (geom/occt/free_edges) of the
 /// shape that have their vertices in common and run beside each other within `near` (mm) all along; of one
 /// face only where they are its seam. OCCT's sewing joins the vertices and leaves such edges now and then, as
 /// those beside the seam of a ball, and seams of surfaces that close but for rounding. Returns how many pairs

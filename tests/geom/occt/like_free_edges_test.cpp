@@ -82,6 +82,8 @@ TEST(LikeFreeEdges, OneOfTwoStandsForBoth) {
       const TopoDS_Shape shape = torn(solid, shared, own, along);
       EXPECT_EQ(free_edges(shape).size(), 2u);
       EXPECT_EQ(free_after(shape, 1e-6, 1), 0u);
+      EXPECT_EQ(free_edges(shape).size(), 2u) << "as it was";
+      EXPECT_LT(BRep_Tool::Tolerance(shared.edge), 1e-6) << "as it was";
     }
   }
 }
