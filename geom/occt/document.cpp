@@ -249,9 +249,9 @@ std::string iges_unit(int flag, const std::string& name) {
   }
 }
 
-/// Which curves of an IGES file OCCT's reader goes by: now those in space, now those on the surfaces; or
-/// those on the surfaces alone. Values of its `read.surfacecurve.mode`.
-enum class IgesCurves { kEither = 0, kOnSurfaces = -2 };
+/// Which curves of an IGES file OCCT's reader goes by: now those in space, now those on the surfaces; those
+/// on the surfaces alone; or those in space alone. Values of its `read.surfacecurve.mode`.
+enum class IgesCurves { kEither = 0, kOnSurfaces = -2, kInSpace = -3 };
 
 /// `precision`: mm, within which OCCT's reader joins what it reads; 0: what the file states.
 CadDocument read_iges_by(const std::filesystem::path& path, IgesCurves curves, double precision = 0.0) {
@@ -282,19 +282,17 @@ CadDocument read_iges_by(const std::filesystem::path& path, IgesCurves curves, d
   return result;
 }
 
-/// Where loops of the file are open by more than the precision that it states, the reader leaves their
-/// faces without anything inside: such a file is read with coarser ones.
+/// Where loops are open by more than the precision that the file states, the reader leaves their faces
+/// without anything inside.
 CadDocument read_iges_joined(const std::filesystem::path& path) {
   CadDocument result = read_iges_by(path, IgesCurves::kEither);
   const TopoDS_Shape empty = first_empty_face(result.shape);
   if (empty.IsNull()) return result;
-  const double diagonal = diagonal_of(box_of(result.shape));
-  for (const double share : {1e-6, 1e-5, 1e-4}) {
-    CadDocument joined = read_iges_by(path, IgesCurves::kEither, share * diagonal);
+  for (const IgesReading& how : other_readings(result.shape)) {
+    if (how.in_space) continue;
+    CadDocument joined = read_iges_by(path, IgesCurves::kEither, how.precision);
     if (joined.shape.IsNull() || !first_empty_face(joined.shape).IsNull()) continue;
-    joined.notes.push_back(fmt::format(
-        "read with a precision of {:.3g} mm: with what the IGES file states {} has nothing inside its loops",
-        share * diagonal, face_in(result.shape, empty)));
+    joined.notes.push_back(note_of(how, face_in(result.shape, empty) + " has nothing inside its loops"));
     return joined;
   }
   return result;
@@ -302,8 +300,10 @@ CadDocument read_iges_joined(const std::filesystem::path& path) {
 
 /// Where OCCT's reader goes by the curves in space it takes the part of a ball or a ring that their loop
 /// encloses, whatever the file says, or part of a ring twice where the loop meets the seam.
-CadDocument read_iges(const std::filesystem::path& path) {
-  CadDocument result = read_iges_joined(path);
+CadDocument read_iges(const std::filesystem::path& path, const IgesReading& how) {
+  if (how.in_space) return read_iges_by(path, IgesCurves::kInSpace, how.precision);
+  CadDocument result =
+      how.precision > 0.0 ? read_iges_by(path, IgesCurves::kEither, how.precision) : read_iges_joined(path);
   if (!has_closed_surface(result.shape)) return result;
   CadDocument other = read_iges_by(path, IgesCurves::kOnSurfaces);
   const auto [faces, believed] = other_parts(result.shape, other.shape);
@@ -335,7 +335,19 @@ CadDocument read_brep(const std::filesystem::path& path) {
 
 }  // namespace
 
-CadDocument read_document(const std::filesystem::path& path, FileKind kind) {
+std::vector<IgesReading> other_readings(const TopoDS_Shape& shape) {
+  const double diagonal = diagonal_of(box_of(shape));
+  return {{1e-6 * diagonal}, {1e-5 * diagonal}, {1e-4 * diagonal}, {0.0, true}};
+}
+
+std::string note_of(const IgesReading& how, const std::string& cause) {
+  return how.in_space
+             ? fmt::format("read by its curves in space alone, for by those on surfaces {}", cause)
+             : fmt::format("read with a precision of {:.3g} mm, for with what the IGES file states {}",
+                           how.precision, cause);
+}
+
+CadDocument read_document(const std::filesystem::path& path, FileKind kind, const IgesReading& how) {
   CadDocument result;
   try {
     switch (kind) {
@@ -343,7 +355,7 @@ CadDocument read_document(const std::filesystem::path& path, FileKind kind) {
         result = read_step(path);
         break;
       case FileKind::kIges:
-        result = read_iges(path);
+        result = read_iges(path, how);
         break;
       case FileKind::kBrep:
         result = read_brep(path);

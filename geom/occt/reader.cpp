@@ -23,6 +23,7 @@
 #include "geom/occt/piece_file.h"
 #include "geom/occt/read_again.h"
 #include "geom/occt/silence.h"
+#include "geom/occt/sub_shapes.h"
 #include "geom/occt/tessellate.h"
 #include "geom/occt/time_left.h"
 
@@ -39,8 +40,8 @@ ModelError with_id(const ModelError& error, const CadDocument& document) {
   const std::vector<int> ids = ids_of(as_read.of[entity.dim], document.ids);
   const auto tag = static_cast<std::size_t>(entity.tag);
   if (tag >= ids.size() || ids[tag] == 0) return error;
-  return {fmt::format("{}; {} {} is {}{} in the file", error.what(),
-                      shape_word(entity.dim), tag, document.id_mark, ids[tag]),
+  return {fmt::format("{}; {} {} is {}{} in the file", error.what(), shape_word(entity.dim), tag,
+                      document.id_mark, ids[tag]),
           entity};
 }
 
@@ -54,20 +55,77 @@ CadDocument document_of(const ReadJob& job, const StageLog& log) {
   return document;
 }
 
+struct Assembled {
+  CadDocument document;
+  AssembledPart part;
+};
+
+/// The first of the other readings of an IGES file that has no faults; none: the first that bounds something,
+/// or nothing at all.
+std::optional<Assembled> assembled_otherwise(const ReadJob& job, const TopoDS_Shape& shape,
+                                             const std::string& error, const StageLog& log) {
+  const std::string cause = error.substr(0, error.find(';'));  // without its advice
+  std::optional<Assembled> best;
+  for (const IgesReading& how : other_readings(shape)) {
+    try {
+      log("reading the file otherwise");
+      CadDocument document = read_document(job.path, job.kind, how);
+      document.notes.push_back(note_of(how, cause));
+      AssembledPart part = assemble(document, job.options, job.meeting, log);
+      const bool faultless = part.parts.faults.empty();
+      if (!best || faultless) best = Assembled{std::move(document), std::move(part)};
+      if (faultless) break;
+    } catch (const ModelError&) {
+    }
+  }
+  return best;
+}
+
+/// Each reading takes as long as the first.
+bool may_be_read_otherwise(const ReadJob& job, const TopoDS_Shape& shape) {
+  constexpr int kMostFaces = 2000;
+  return job.shape.IsNull() && job.kind == FileKind::kIges &&
+         sub_shapes(shape, TopAbs_FACE).Extent() <= kMostFaces;
+}
+
+Assembled assembled(const ReadJob& job, CadDocument document, const StageLog& log) {
+  const bool otherwise = may_be_read_otherwise(job, document.shape);
+  try {
+    AssembledPart part = assemble(document, job.options, job.meeting, log);
+    if (otherwise && !part.parts.faults.empty()) {
+      std::optional<Assembled> other =
+          assembled_otherwise(job, document.shape, part.parts.faults.front().cause, log);
+      if (other && other->part.parts.faults.empty()) return *std::move(other);
+    }
+    return {std::move(document), std::move(part)};
+  } catch (const ModelError& error) {
+    if (otherwise)
+      if (auto other = assembled_otherwise(job, document.shape, error.what(), log)) return *std::move(other);
+    throw with_id(error, document);
+  }
+}
+
+/// The document whose numbers the model has: of an IGES file perhaps not that of the first reading.
+CadDocument document_of_model(const ReadJob& job, const StageLog& log) {
+  CadDocument document = document_of(job, log);
+  if (!may_be_read_otherwise(job, document.shape)) return document;
+  try {
+    return assembled(job, document, log).document;
+  } catch (const ModelError&) {
+    return document;
+  }
+}
+
 std::string do_job(const ReadJob& job, const StageLog& log) {
   try {
-    const CadDocument document = document_of(job, log);
     if (job.piece) {
+      const CadDocument document = document_of_model(job, log);
       log("making the piece");
       return encode_piece(make_piece(document.shape, *job.piece));
     }
-    try {
-      const AssembledPart part = assemble(document, job.options, job.meeting, log);
-      log("handing the part over");
-      return encode_part(part.numbering, part.parts);
-    } catch (const ModelError& error) {
-      throw with_id(error, document);
-    }
+    const AssembledPart part = assembled(job, document_of(job, log), log).part;
+    log("handing the part over");
+    return encode_part(part.numbering, part.parts);
   } catch (const Standard_OutOfMemory&) {
     throw std::bad_alloc();
   } catch (const Standard_Failure& failure) {

@@ -4,20 +4,27 @@
 
 #include <gtest/gtest.h>
 
+#include <BRepAdaptor_Surface.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom2d_BSplineCurve.hxx>
+#include <Geom2d_Curve.hxx>
 #include <IGESControl_Controller.hxx>
 #include <Interface_Static.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TColgp_Array1OfPnt2d.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Wire.hxx>
+#include <algorithm>
 #include <gp_Ax2.hxx>
 
 #include <cmath>
@@ -76,13 +83,12 @@ TEST(IgesLoops, AnotherReadingIsBelievedWhereOnlySuchFacesDiffer) {
   EXPECT_FALSE(larger.to_be_believed) << "its corner is elsewhere";
 }
 
-/// The faces of a cylinder whose seam ends `gap` off its vertex, which covers it; the wall's loop begins with
-/// its edge of this index.
-TopoDS_Shape loose_seam(double gap, std::size_t begin) {
-  const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(0.25, 11.1).Solid();
+/// The faces of a solid whose seam ends `gap` (of its parameter) off its vertex, which covers it; the loop of
+/// the face with the seam begins with its edge of this index.
+TopoDS_Shape loose_seam(const TopoDS_Shape& solid, double gap, std::size_t begin) {
   const BRep_Builder builder;
   std::vector<TopoDS_Shape> faces;
-  for (TopExp_Explorer face(cylinder, TopAbs_FACE); face.More(); face.Next()) {
+  for (TopExp_Explorer face(solid, TopAbs_FACE); face.More(); face.Next()) {
     std::vector<TopoDS_Shape> edges;
     for (TopExp_Explorer it(face.Current(), TopAbs_EDGE); it.More(); it.Next()) edges.push_back(it.Current());
     faces.push_back(face.Current());
@@ -115,10 +121,11 @@ TEST(IgesLoops, LoopsOpenByMoreThanTheStatedPrecisionAreJoined) {
     for (const std::string& note : model.notes()) found += note.rfind("read with a precision of", 0) == 0;
     return found;
   };
+  const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(0.25, 11.1).Solid();
   for (const double gap : {0.0, 5e-6, 5e-5}) {
     int read_again = 0;
     for (std::size_t begin = 0; begin < 4; ++begin) {
-      ASSERT_TRUE(test::write_loose_iges(loose_seam(gap, begin), path));
+      ASSERT_TRUE(test::write_loose_iges(loose_seam(cylinder, gap, begin), path));
       const int mode = Interface_Static::IVal("read.precision.mode");
       const double value = Interface_Static::RVal("read.precision.val");
       const Model model = read_part(path, options);
@@ -131,6 +138,52 @@ TEST(IgesLoops, LoopsOpenByMoreThanTheStatedPrecisionAreJoined) {
     EXPECT_EQ(read_again > 0, gap > 0.0) << gap;
   }
   std::filesystem::remove(path);
+}
+
+/// The faces of a cylinder whose curves on its wall are a turn off at the top, and so slanted for its seam,
+/// as some writers have them; in space they are right.
+TopoDS_Shape turned_top() {
+  const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(1.0, 3.0).Solid();
+  const BRep_Builder builder;
+  const double turn = 2.0 * std::numbers::pi;
+  for (TopExp_Explorer face(cylinder, TopAbs_FACE); face.More(); face.Next())
+    for (TopExp_Explorer it(face.Current(), TopAbs_EDGE); it.More(); it.Next()) {
+      const TopoDS_Edge edge = TopoDS::Edge(it.Current().Oriented(TopAbs_FORWARD));
+      const TopoDS_Face wall = TopoDS::Face(face.Current());
+      if (BRepAdaptor_Surface(wall).GetType() != GeomAbs_Cylinder) continue;
+      double first = 0.0, last = 0.0;
+      const auto line = [](double u0, double v0, double u1, double v1, double from, double to) {
+        TColgp_Array1OfPnt2d ends(1, 2);
+        ends(1) = gp_Pnt2d(u0, v0);
+        ends(2) = gp_Pnt2d(u1, v1);
+        TColStd_Array1OfReal knots(1, 2);
+        knots(1) = from;
+        knots(2) = to;
+        TColStd_Array1OfInteger multiplicities(1, 2);
+        multiplicities.Init(2);
+        return Handle(Geom2d_Curve)(new Geom2d_BSplineCurve(ends, knots, multiplicities, 1));
+      };
+      BRep_Tool::Range(edge, first, last);
+      const double height = BRep_Tool::Pnt(TopExp::FirstVertex(edge)).Z();
+      if (BRep_Tool::IsClosed(edge, wall))
+        builder.UpdateEdge(edge, line(turn, 0.0, 2.0 * turn, 3.0, first, last),
+                           line(0.0, 0.0, turn, 3.0, first, last), wall, 1e-7);
+      else if (height > 1.0)
+        builder.UpdateEdge(edge, line(turn, 3.0, 2.0 * turn, 3.0, first, last), wall, 1e-7);
+    }
+  return cylinder;
+}
+
+TEST(IgesLoops, CurvesOnSurfacesThatAreWrongAreNotGoneBy) {
+  const auto path = std::filesystem::temp_directory_path() / "octet_IgesTurned.iges";
+  ASSERT_TRUE(test::write_loose_iges(turned_top(), path));
+  const Model model = read_part(path);
+  std::filesystem::remove(path);
+  ASSERT_EQ(model.count(3), 1);
+  EXPECT_NEAR(model.region(1).volume, 3.0 * std::numbers::pi, 1e-6);
+  EXPECT_TRUE(std::any_of(model.notes().begin(), model.notes().end(), [](const std::string& note) {
+    return note.rfind("read by its curves in space alone", 0) == 0;
+  }));
 }
 
 TEST(IgesLoops, AFaceOfWhichNothingIsLeftIsFound) {
