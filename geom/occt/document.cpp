@@ -286,13 +286,15 @@ CadDocument read_iges_by(const std::filesystem::path& path, IgesCurves curves, d
 /// without anything inside.
 CadDocument read_iges_joined(const std::filesystem::path& path) {
   CadDocument result = read_iges_by(path, IgesCurves::kEither);
-  const TopoDS_Shape empty = first_empty_face(result.shape);
-  if (empty.IsNull()) return result;
+  const std::vector<TopoDS_Shape> empty = empty_faces(result.shape);
+  if (empty.empty()) return result;
+  const int least = count_faces(result.shape) - static_cast<int>(empty.size());
   for (const IgesReading& how : other_readings(result.shape)) {
     if (how.in_space) continue;
     CadDocument joined = read_iges_by(path, IgesCurves::kEither, how.precision);
-    if (joined.shape.IsNull() || !first_empty_face(joined.shape).IsNull()) continue;
-    joined.notes.push_back(note_of(how, face_in(result.shape, empty) + " has nothing inside its loops"));
+    if (count_faces(joined.shape) < least || !empty_faces(joined.shape).empty()) continue;
+    joined.notes.push_back(
+        note_of(how, face_in(result.shape, empty.front()) + " has nothing inside its loops"));
     return joined;
   }
   return result;

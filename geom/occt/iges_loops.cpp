@@ -11,6 +11,7 @@
 #include <TopoDS.hxx>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "geom/occt/shape_box.h"
 #include "geom/occt/shape_measures.h"
@@ -56,16 +57,17 @@ bool has_closed_surface(const TopoDS_Shape& shape) {
   return std::any_of(faces.cbegin(), faces.cend(), is_closed_all_around);
 }
 
-TopoDS_Shape first_empty_face(const TopoDS_Shape& shape) {
+std::vector<TopoDS_Shape> empty_faces(const TopoDS_Shape& shape) {
   constexpr double kNothing = 1e-9;  // of the square of the face's diagonal
   const auto faces = sub_shapes(shape, TopAbs_FACE);
-  const auto found = std::find_if(faces.cbegin(), faces.cend(), [](const TopoDS_Shape& face) {
+  std::vector<TopoDS_Shape> empty;
+  std::copy_if(faces.cbegin(), faces.cend(), std::back_inserter(empty), [](const TopoDS_Shape& face) {
     const Handle(Geom_Surface) surface = BRep_Tool::Surface(TopoDS::Face(face));
     if (surface.IsNull() || (!surface->IsUPeriodic() && !surface->IsVPeriodic())) return false;
     const double diagonal = diagonal_of(box_of(face));
     return std::abs(area_of(face)) <= kNothing * diagonal * diagonal;
   });
-  return found == faces.cend() ? TopoDS_Shape() : *found;
+  return empty;
 }
 
 OtherParts other_parts(const TopoDS_Shape& by_either, const TopoDS_Shape& by_surfaces) {

@@ -11,9 +11,9 @@ namespace octet {
 /// parts of it; which one is the face the file tells by the loop in (u,v).
 [[nodiscard]] bool has_closed_surface(const TopoDS_Shape& shape);
 
-/// The first face on a surface that is closed one way or the other of which nothing is left: its loops, each
-/// all around, came apart. Null: none.
-[[nodiscard]] TopoDS_Shape first_empty_face(const TopoDS_Shape& shape);
+/// The faces on surfaces that are closed one way or the other of which nothing is left: their loops, each all
+/// around, came apart.
+[[nodiscard]] std::vector<TopoDS_Shape> empty_faces(const TopoDS_Shape& shape);
 
 struct OtherParts {
   std::vector<TopoDS_Shape> faces;  ///< of the first reading, on such surfaces

@@ -60,8 +60,8 @@ struct Assembled {
   AssembledPart part;
 };
 
-/// The first of the other readings of an IGES file that has no faults; none: the first that bounds something,
-/// or nothing at all.
+/// The first of the other readings of an IGES file that has no faults, and no face less; none: the first that
+/// bounds something, or nothing at all.
 std::optional<Assembled> assembled_otherwise(const ReadJob& job, const TopoDS_Shape& shape,
                                              const std::string& error, const StageLog& log) {
   const std::string cause = error.substr(0, error.find(';'));  // without its advice
@@ -70,6 +70,7 @@ std::optional<Assembled> assembled_otherwise(const ReadJob& job, const TopoDS_Sh
     try {
       log("reading the file otherwise");
       CadDocument document = read_document(job.path, job.kind, how);
+      if (count_faces(document.shape) < count_faces(shape)) continue;
       document.notes.push_back(note_of(how, cause));
       AssembledPart part = assemble(document, job.options, job.meeting, log);
       const bool faultless = part.parts.faults.empty();
@@ -84,8 +85,7 @@ std::optional<Assembled> assembled_otherwise(const ReadJob& job, const TopoDS_Sh
 /// Each reading takes as long as the first.
 bool may_be_read_otherwise(const ReadJob& job, const TopoDS_Shape& shape) {
   constexpr int kMostFaces = 2000;
-  return job.shape.IsNull() && job.kind == FileKind::kIges &&
-         sub_shapes(shape, TopAbs_FACE).Extent() <= kMostFaces;
+  return job.shape.IsNull() && job.kind == FileKind::kIges && count_faces(shape) <= kMostFaces;
 }
 
 Assembled assembled(const ReadJob& job, CadDocument document, const StageLog& log) {

@@ -19,4 +19,9 @@ inline TopTools_IndexedMapOfShape sub_shapes(const TopoDS_Shape& shape, TopAbs_S
   return map;
 }
 
+/// 0 for no shape.
+[[nodiscard]] inline int count_faces(const TopoDS_Shape& shape) {
+  return shape.IsNull() ? 0 : sub_shapes(shape, TopAbs_FACE).Extent();
+}
+
 }  // namespace octet
