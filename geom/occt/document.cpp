@@ -266,10 +266,10 @@ CadDocument read_iges_by(const std::filesystem::path& path, IgesCurves curves, d
     throw InputError("IGES file " + quoted(path) + " cannot be parsed: it is damaged or truncated");
   CadDocument result;
   const Handle(IGESData_IGESModel) model = reader.IGESModel();
-  double in_file_units = Interface_Static::RVal("read.precision.val");
+  double in_file_units = precision > 0.0 ? precision : Interface_Static::RVal("read.precision.val");
   if (!model.IsNull()) {
     const IGESData_GlobalSection& global = model->GlobalSection();
-    if (precision > 0.0) in_file_units = precision / global.UnitValue();
+    if (precision > 0.0 && global.UnitValue() > 0.0) in_file_units = precision / global.UnitValue();
     const std::string name = global.UnitName().IsNull() ? "" : global.UnitName()->ToCString();
     result.unit = iges_unit(global.UnitFlag(), name);
   }

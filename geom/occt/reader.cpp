@@ -56,12 +56,13 @@ CadDocument document_of(const ReadJob& job, const StageLog& log) {
 }
 
 struct Assembled {
-  CadDocument document;
+  IgesReading how;
+  std::string note;  ///< of that reading, if it is not the first
   AssembledPart part;
 };
 
 /// The first of the other readings of an IGES file that has no faults, and no face less; none: the first that
-/// bounds something, or nothing at all.
+/// bounds something, or nothing at all. What goes wrong with them is no more than what went wrong before.
 std::optional<Assembled> assembled_otherwise(const ReadJob& job, const TopoDS_Shape& shape,
                                              const std::string& error, const StageLog& log) {
   const std::string cause = error.substr(0, error.find(';'));  // without its advice
@@ -71,12 +72,14 @@ std::optional<Assembled> assembled_otherwise(const ReadJob& job, const TopoDS_Sh
       log("reading the file otherwise");
       CadDocument document = read_document(job.path, job.kind, how);
       if (count_faces(document.shape) < count_faces(shape)) continue;
-      document.notes.push_back(note_of(how, cause));
-      AssembledPart part = assemble(document, job.options, job.meeting, log);
+      const std::string note = note_of(how, cause);
+      document.notes.push_back(note);
+      AssembledPart part = assemble(document, job.options, {}, log);
       const bool faultless = part.parts.faults.empty();
-      if (!best || faultless) best = Assembled{std::move(document), std::move(part)};
+      if (!best || faultless) best = Assembled{how, note, std::move(part)};
       if (faultless) break;
-    } catch (const ModelError&) {
+    } catch (const InputError&) {
+    } catch (const Standard_Failure&) {
     }
   }
   return best;
@@ -88,20 +91,21 @@ bool may_be_read_otherwise(const ReadJob& job, const TopoDS_Shape& shape) {
   return job.shape.IsNull() && job.kind == FileKind::kIges && count_faces(shape) <= kMostFaces;
 }
 
-Assembled assembled(const ReadJob& job, CadDocument document, const StageLog& log) {
+/// Without faces that meet.
+Assembled assembled(const ReadJob& job, const CadDocument& document, const StageLog& log) {
   const bool otherwise = may_be_read_otherwise(job, document.shape);
   try {
-    AssembledPart part = assemble(document, job.options, job.meeting, log);
+    AssembledPart part = assemble(document, job.options, {}, log);
     if (otherwise && !part.parts.faults.empty()) {
       std::optional<Assembled> other =
           assembled_otherwise(job, document.shape, part.parts.faults.front().cause, log);
       if (other && other->part.parts.faults.empty()) return *std::move(other);
     }
-    return {std::move(document), std::move(part)};
+    return {{}, {}, std::move(part)};
   } catch (const ModelError& error) {
     if (otherwise)
       if (auto other = assembled_otherwise(job, document.shape, error.what(), log)) return *std::move(other);
-    throw with_id(error, document);
+    throw;
   }
 }
 
@@ -109,10 +113,27 @@ Assembled assembled(const ReadJob& job, CadDocument document, const StageLog& lo
 CadDocument document_of_model(const ReadJob& job, const StageLog& log) {
   CadDocument document = document_of(job, log);
   if (!may_be_read_otherwise(job, document.shape)) return document;
+  IgesReading how;
+  std::string note;
   try {
-    return assembled(job, document, log).document;
+    const Assembled first = assembled(job, document, log);
+    how = first.how;
+    note = first.note;
   } catch (const ModelError&) {
-    return document;
+  }
+  // Once more, for what has been assembled is not as it was read.
+  document = read_document(job.path, job.kind, how);
+  if (!note.empty()) document.notes.push_back(note);
+  return document;
+}
+
+AssembledPart part_of(const ReadJob& job, const StageLog& log) {
+  const bool meets = !job.meeting.crossing.empty() || !job.meeting.touching.empty();
+  const CadDocument document = meets ? document_of_model(job, log) : document_of(job, log);
+  try {
+    return meets ? assemble(document, job.options, job.meeting, log) : assembled(job, document, log).part;
+  } catch (const ModelError& error) {
+    throw with_id(error, document);
   }
 }
 
@@ -123,7 +144,7 @@ std::string do_job(const ReadJob& job, const StageLog& log) {
       log("making the piece");
       return encode_piece(make_piece(document.shape, *job.piece));
     }
-    const AssembledPart part = assembled(job, document_of(job, log), log).part;
+    const AssembledPart part = part_of(job, log);
     log("handing the part over");
     return encode_part(part.numbering, part.parts);
   } catch (const Standard_OutOfMemory&) {
